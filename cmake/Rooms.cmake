@@ -1,0 +1,21 @@
+# drape_room(NAME SOURCES ... ROOMS ... PACKAGES ...)
+# One room is one static library, drape_NAME. Its includes are written from the top of src/ ("mesh/topology.h")
+# or of the repository ("render/image.h").
+function(drape_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;ROOMS;PACKAGES;PUBLIC_PACKAGES" ${ARGN})
+  add_library(drape_${name} STATIC ${ROOM_SOURCES})
+  target_include_directories(drape_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
+  list(TRANSFORM ROOM_ROOMS PREPEND drape_)
+  target_link_libraries(drape_${name} PUBLIC ${ROOM_ROOMS} ${ROOM_PUBLIC_PACKAGES} PRIVATE ${ROOM_PACKAGES})
+endfunction()
+
+# drape_test(NAME SOURCES ... ROOMS ...): one test program a room, its cases registered with CTest one by one.
+function(drape_test name)
+  cmake_parse_arguments(TEST "" "" "SOURCES;ROOMS;PACKAGES" ${ARGN})
+  add_executable(test_${name} ${TEST_SOURCES})
+  list(TRANSFORM TEST_ROOMS PREPEND drape_)
+  target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_link_libraries(test_${name} PRIVATE ${TEST_ROOMS} ${TEST_PACKAGES} GTest::gtest_main)
+  target_compile_definitions(test_${name} PRIVATE DRAPE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60)
+endfunction()

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "render/image.h"
+#include "render/view.h"
+
+namespace drape::render {
+
+// Draws surfaces with OpenGL 3.3 core in software, off screen. One object is one context and belongs to the
+// thread that made it; two objects in two threads give the same pictures as one. The picture is a function of
+// the arguments alone (`frame` seeds the sequences of jitter).
+class Rasterizer {
+ public:
+  Rasterizer();  // throws RenderError with what to install where no context can be had
+  ~Rasterizer();
+  Rasterizer(const Rasterizer&) = delete;
+  Rasterizer& operator=(const Rasterizer&) = delete;
+  Image draw(const std::vector<Surface>& surfaces, const View& view, const Settings& settings, int frame);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+// Call once, before the first Rasterizer: one thread a context, so that frames are what runs in parallel.
+void configure_software_rendering();
+
+}  // namespace drape::render

@@ -1,0 +1,65 @@
+#include "core/file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "core/error.h"
+
+namespace drape {
+namespace fs = std::filesystem;
+
+std::string read_file(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) throw FileError(path.string(), "is a folder, not a file");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw FileError(path.string(), std::string("cannot be read: ") + std::strerror(errno));
+  std::ostringstream content;
+  content << stream.rdbuf();
+  if (stream.bad()) throw FileError(path.string(), "cannot be read to its end");
+  return std::move(content).str();
+}
+
+static bool write_all(int file, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(file, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+static void make_folder(const fs::path& folder) {
+  std::error_code error;
+  if (!folder.empty()) fs::create_directories(folder, error);
+  if (error) throw FileError(folder.string(), "the folder cannot be made: " + error.message());
+}
+
+[[noreturn]] static void give_up(const fs::path& path, const fs::path& aside) {
+  const int reason = errno;
+  ::unlink(aside.c_str());
+  throw FileError(path.string(), std::string("cannot be written: ") + std::strerror(reason));
+}
+
+void write_file(const fs::path& path, std::string_view content) {
+  make_folder(path.parent_path());
+  const fs::path aside = path.string() + ".part" + std::to_string(::getpid());
+  const int file = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) give_up(path, aside);
+  if (!write_all(file, content)) {
+    const int reason = errno;
+    ::close(file);
+    errno = reason;
+    give_up(path, aside);
+  }
+  if (::close(file) != 0) give_up(path, aside);
+  if (std::rename(aside.c_str(), path.c_str()) != 0) give_up(path, aside);
+}
+
+}  // namespace drape

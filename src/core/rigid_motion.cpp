@@ -1,0 +1,76 @@
+#include "core/rigid_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace drape {
+
+double sample(const Track& track, double time) {
+  if (track.empty()) return 0;
+  const auto next = std::upper_bound(track.begin(), track.end(), time,
+                                     [](double t, const auto& key) { return t < key.first; });
+  if (next == track.begin()) return track.front().second;
+  if (next == track.end()) return track.back().second;
+  const auto [t0, v0] = *(next - 1);
+  const auto [t1, v1] = *next;
+  return v0 + (v1 - v0) * ((time - t0) / (t1 - t0));
+}
+
+// Taylor polynomials on [-pi/4, pi/4]: the first term left out is under 2e-17 there.
+static double sin_near_zero(double x) {
+  const double s = x * x;
+  double sum = 1.0 / 355687428096000.0;
+  for (const double denominator : {1307674368000.0, 6227020800.0, 39916800.0, 362880.0, 5040.0, 120.0, 6.0})
+    sum = 1.0 / denominator - s * sum;
+  return x - x * s * sum;
+}
+
+static double cos_near_zero(double x) {
+  const double s = x * x;
+  double sum = 1.0 / 6402373705728000.0;
+  for (const double denominator :
+       {20922789888000.0, 87178291200.0, 479001600.0, 3628800.0, 40320.0, 720.0, 24.0, 2.0})
+    sum = 1.0 / denominator - s * sum;
+  return 1.0 - s * sum;
+}
+
+std::pair<double, double> sin_cos_degrees(double degrees) {
+  const double quarter_turns = std::nearbyint(degrees / 90.0);
+  const double rest = (degrees - 90.0 * quarter_turns) * (std::numbers::pi / 180.0);
+  const double s = sin_near_zero(rest);
+  const double c = cos_near_zero(rest);
+  switch (static_cast<long long>(quarter_turns) & 3) {
+    case 0: return {s, c};
+    case 1: return {c, -s};
+    case 2: return {-s, -c};
+    default: return {-c, s};
+  }
+}
+
+Mat3 rotation_from_degrees(const Vec3& degrees) {
+  const auto [sx, cx] = sin_cos_degrees(degrees.x());
+  const auto [sy, cy] = sin_cos_degrees(degrees.y());
+  const auto [sz, cz] = sin_cos_degrees(degrees.z());
+  Mat3 x, y, z;
+  x << 1, 0, 0, 0, cx, -sx, 0, sx, cx;
+  y << cy, 0, sy, 0, 1, 0, -sy, 0, cy;
+  z << cz, -sz, 0, sz, cz, 0, 0, 0, 1;
+  return z * y * x;
+}
+
+RigidPose pose_at(const RigidMotion& motion, double time) {
+  const auto sampled = [&](const Track(&tracks)[3]) {
+    return Vec3(sample(tracks[0], time), sample(tracks[1], time), sample(tracks[2], time));
+  };
+  return {rotation_from_degrees(sampled(motion.turn)) * rotation_from_degrees(motion.rotate),
+          motion.at + sampled(motion.translate)};
+}
+
+bool is_static(const RigidMotion& motion) {
+  const auto moves = [](const Track& track) { return track.size() > 1; };
+  return std::none_of(std::begin(motion.translate), std::end(motion.translate), moves) &&
+         std::none_of(std::begin(motion.turn), std::end(motion.turn), moves);
+}
+
+}  // namespace drape

@@ -1,0 +1,19 @@
+#pragma once
+
+// The only file that includes Eigen: vectors and matrices of the simulation (double) and of what is drawn (float).
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace drape {
+
+using Vec2 = Eigen::Vector2d;
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+
+using Vec2f = Eigen::Vector2f;
+using Vec3f = Eigen::Vector3f;
+using Vec4f = Eigen::Vector4f;
+using Mat4f = Eigen::Matrix4f;
+
+}  // namespace drape

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/rigid_motion.h"
+#include "render/view.h"
+#include "simulation/input.h"
+
+namespace drape {
+
+// A scene file as plain values: every key of the file, read, ranged and defaulted. Nothing is built yet.
+
+struct TimeSettings {
+  double fps = 30;
+  int first_frame = 1;
+  int last_frame = 90;
+  double step = 0.002;  // seconds
+};
+
+struct Look {
+  render::Material material;
+  int subdivide = 0;  // levels of Loop subdivision, 0 to 3
+};
+
+struct ClothDescription {
+  ClothInput input;
+  Look look;
+};
+
+struct ColliderDescription {
+  ColliderInput input;
+  Look look;
+  bool visible = true;
+};
+
+struct CameraDescription {
+  Vec3 at{2.5, 1.5, 2.5};
+  Vec3 look_at{0, 0, 0};
+  double field_of_view = 35;  // degrees, vertical
+  // Where it is present, `at` is not used: a circle about the vertical through look_at.
+  struct Orbit {
+    double radius = 3;
+    double height = 1.5;   // over look_at
+    double start = 30;     // degrees from +z towards +x
+    double turns = 0;      // over all frames of the scene
+  };
+  std::optional<Orbit> orbit;
+};
+
+enum class Quality { draft, preview, final };
+
+struct RenderDescription {
+  int width = 1280;
+  int height = 720;
+  Quality quality = Quality::preview;
+  int crf = 18;  // of the video
+  double exposure = 1;
+  render::Color backdrop{0.86f, 0.87f, 0.89f};
+};
+
+struct SceneDescription {
+  std::string file;  // as the user named it
+  std::string name;
+  TimeSettings time;
+  Vec3 gravity{0, -9.81, 0};
+  WindInput wind;
+  bool self_collision = true;
+  std::vector<ClothDescription> cloths;
+  std::vector<ColliderDescription> colliders;
+  CameraDescription camera;
+  render::Sun sun;
+  render::Sky sky;
+  RenderDescription render;
+};
+
+}  // namespace drape
