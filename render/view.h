@@ -18,8 +18,8 @@ struct Material {
   Color back{0.70f, 0.20f, 0.18f};    // the colour of the other side
   Color accent{0.93f, 0.90f, 0.84f};  // the pattern's second colour
   Pattern pattern = Pattern::plain;
-  float pattern_scale = 8;   // repeats over a texture coordinate of 1
-  float sheen = 0.5f;        // 0 to 1: light scattered at grazing angles by fibres
+  float pattern_scale = 8;     // repeats over a texture coordinate of 1
+  float sheen = 0.5f;          // 0 to 1: light scattered at grazing angles by fibres
   float translucency = 0.12f;  // 0 to 1: light that comes through (cloth); 0 for what is solid
 };
 

@@ -1,0 +1,65 @@
+#include "render/pass_sequence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace drape::render {
+
+static constexpr float two_pi = 2 * std::numbers::pi_v<float>;
+static constexpr float golden_ratio = std::numbers::phi_v<float>;
+
+static float fraction(float x) { return x - std::floor(x); }
+
+// Another order of 0 ... count-1, so that two sequences of evenly spread points do not run along each other.
+static int shuffled(int index, int count, float share) {
+  int step = std::max(1, static_cast<int>(share * static_cast<float>(count)));
+  while (std::gcd(step, count) != 1) ++step;
+  return static_cast<int>((static_cast<long>(index) * step) % count);
+}
+
+// Fibonacci lattice in the unit square.
+static Vec2f lattice(int index, int count) {
+  const float i = static_cast<float>(index);
+  return {(i + 0.5f) / static_cast<float>(count), fraction((i + 0.5f) * golden_ratio)};
+}
+
+// From uniform in [0, 1) to a tent on (-1, 1): as filter of the picture softer than a box, and calmer in
+// motion.
+static float tent(float x) { return x < 0.5f ? std::sqrt(2 * x) - 1 : 1 - std::sqrt(2 - 2 * x); }
+
+// Vogel's spiral: `count` points that share the disc's area equally.
+static Vec2f disc(const Vec2f& square) {
+  const float radius = std::sqrt(square.x());
+  return {radius * std::cos(two_pi * square.y()), radius * std::sin(two_pi * square.y())};
+}
+
+// Equal shares of the hemisphere's area (Archimedes: area goes with height).
+static Vec3f hemisphere(const Vec2f& square) {
+  const float radius = std::sqrt(1 - square.x() * square.x());
+  return {radius * std::cos(two_pi * square.y()), square.x(), radius * std::sin(two_pi * square.y())};
+}
+
+static int passes_below(int passes) { return passes < 2 ? 0 : std::max(1, passes / 5); }
+
+static void sample_sky(int pass, int passes, PassSample& sample) {
+  const int below = passes_below(passes);
+  const bool is_below = pass < below;
+  const int count = is_below ? below : passes - below;
+  sample.sky_direction = hemisphere(lattice(is_below ? pass : pass - below, count));
+  if (is_below) sample.sky_direction.y() *= -1;
+  sample.sky_solid_angle = two_pi * static_cast<float>(passes) / static_cast<float>(count);
+}
+
+PassSample sample_pass(int pass, int passes) {
+  PassSample sample;
+  const Vec2f pixel = lattice(shuffled(pass, passes, 0.382f), passes);
+  sample.pixel_offset = {tent(pixel.x()), tent(pixel.y())};
+  sample.sun_disc = disc(lattice(shuffled(pass, passes, 0.618f), passes));
+  sample_sky(pass, passes, sample);
+  sample.jitter_phase = fraction(static_cast<float>(pass) * golden_ratio);
+  return sample;
+}
+
+}  // namespace drape::render

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/vector.h"
+#include "render/light_projection.h"
+#include "render/pass_sequence.h"
+
+namespace drape::render {
+
+// The memory of the uniform block of shaders/pass.glsl (std140: only vectors and matrices of four).
+struct PassUniforms {
+  Mat4f clip_from_world;
+  Mat4f sun_map_from_world;
+  Mat4f sky_map_from_world;
+  Vec4f eye;
+  Vec4f sun_direction;
+  Vec4f sun_irradiance;
+  Vec4f sky_direction;
+  Vec4f sky_irradiance;
+  Vec4f ground_fade;
+};
+
+// The two lights of a pass and how their maps look at the scene.
+struct PassLights {
+  Vec3f to_sun;
+  LightProjection sun;
+  LightProjection sky;
+};
+
+PassLights aim_lights(const View& view, const PassSample& sample, const Sphere& casters, int sun_map_size,
+                      int sky_map_size);
+
+PassUniforms pass_uniforms(const View& view, const Settings& settings, const Sphere& scene,
+                           const PassSample& sample, const PassLights& lights);
+
+Vec3f linear_from_srgb(const Color& color);
+
+}  // namespace drape::render

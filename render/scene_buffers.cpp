@@ -1,0 +1,53 @@
+#include "render/scene_buffers.h"
+
+namespace drape::render {
+
+SceneBuffers upload_scene(const GlFunctions& gl, const std::vector<Surface>& surfaces, const View& view) {
+  SceneBuffers scene{surfaces, {}, {}, bounding_sphere(surfaces)};
+  for (const Surface& surface : surfaces) scene.buffers.push_back(upload_surface(gl, surface));
+  if (view.ground.visible) scene.ground = upload_surface(gl, make_ground_surface(view));
+  return scene;
+}
+
+void draw_depth(const GlFunctions& gl, const ShaderProgram& depth_program, const Mat4f& clip_from_world,
+                const SceneBuffers& scene) {
+  gl.Enable(GL_DEPTH_TEST);
+  gl.Clear(GL_DEPTH_BUFFER_BIT);
+  gl.Enable(GL_POLYGON_OFFSET_FILL);
+  gl.PolygonOffset(1, 1);
+  depth_program.use();
+  depth_program.set("clip_from_position", clip_from_world);
+  for (const SurfaceBuffers& buffers : scene.buffers) draw_surface(gl, buffers);
+  gl.Disable(GL_POLYGON_OFFSET_FILL);
+}
+
+static void draw_surfaces(const GlFunctions& gl, SurfacePrograms& programs, const SceneBuffers& scene) {
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    programs.use_for(scene.surfaces[i]);
+    if (!scene.surfaces[i].two_sided) gl.Enable(GL_CULL_FACE);
+    draw_surface(gl, scene.buffers[i]);
+    gl.Disable(GL_CULL_FACE);
+  }
+}
+
+// Drawn after the surfaces, which hide much of it, and behind what lies on it.
+static void draw_ground(const GlFunctions& gl, SurfacePrograms& programs, const Ground& ground,
+                        const SceneBuffers& scene) {
+  programs.use_for(ground);
+  gl.Enable(GL_CULL_FACE);
+  gl.Enable(GL_POLYGON_OFFSET_FILL);
+  gl.PolygonOffset(1, 4);
+  draw_surface(gl, scene.ground);
+  gl.Disable(GL_POLYGON_OFFSET_FILL);
+  gl.Disable(GL_CULL_FACE);
+}
+
+void draw_radiance(const GlFunctions& gl, SurfacePrograms& programs, const Ground& ground,
+                   const SceneBuffers& scene) {
+  gl.Enable(GL_DEPTH_TEST);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  draw_surfaces(gl, programs, scene);
+  if (ground.visible) draw_ground(gl, programs, ground, scene);
+}
+
+}  // namespace drape::render

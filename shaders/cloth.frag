@@ -1,0 +1,58 @@
+in vec3 world_position;
+in vec3 world_normal;
+in vec2 surface_uv;
+
+layout(location = 0) out vec4 radiance;
+
+uniform float sheen;
+uniform float translucency;
+
+const float wrap = 0.08;
+const float sheen_roughness = 0.45;
+
+// Charlie: the distribution of fibres that stand out of the cloth (Estevez and Kulla, "Production Friendly
+// Microfacet Sheen BRDF", 2017, equation 2) with the visibility term of Neubelt and Pettineo ("Crafting a
+// Next-Gen Material Pipeline for The Order: 1886", 2013).
+float charlie(float n_l, float n_v, float n_h) {
+  float sine_squared = max(1.0 - n_h * n_h, 1e-4);
+  float distribution = (2.0 + 1.0 / sheen_roughness) * pow(sine_squared, 0.5 / sheen_roughness) / (2.0 * pi);
+  return distribution / (4.0 * (n_l + n_v - n_l * n_v) + 1e-4);
+}
+
+// The share of light from one direction that the fibres scatter: a fit to the integral of charlie() at the
+// roughness above, within 0.03.
+float charlie_albedo(float cosine) { return 0.10 + 0.59 * (1.0 - cosine) * (1.0 - cosine); }
+
+// Light that the cloth throws back: diffuse, softened round the terminator by loose fibres, and sheen; what the
+// sheen takes is missing from the diffuse part.
+vec3 reflected(vec3 albedo, vec3 normal, vec3 to_eye, vec3 to_light) {
+  float n_l = dot(normal, to_light);
+  float lit = max(n_l, 0.0);
+  float n_v = clamp(dot(normal, to_eye), 0.02, 1.0);
+  float n_h = dot(normal, normalize(to_eye + to_light));
+  float diffuse = max(n_l + wrap, 0.0) / ((1.0 + wrap) * (1.0 + wrap)) / pi;
+  float kept = 1.0 - sheen * max(charlie_albedo(n_v), charlie_albedo(lit));
+  vec3 sheen_color = sheen * mix(vec3(1.0), sqrt(albedo), 0.6);
+  return (1.0 - translucency) * kept * diffuse * albedo + sheen_color * charlie(lit, n_v, n_h) * lit;
+}
+
+vec3 transmitted(vec3 albedo, vec3 normal, vec3 to_light) {
+  return translucency * albedo * max(-dot(normal, to_light), 0.0) / pi;
+}
+
+vec3 scattered(vec3 albedo, vec3 normal, vec3 to_eye, vec3 to_light) {
+  return reflected(albedo, normal, to_eye, to_light) + transmitted(albedo, normal, to_light);
+}
+
+void main() {
+  vec3 normal = normalize(gl_FrontFacing ? world_normal : -world_normal);
+  vec3 to_eye = normalize(eye.xyz - world_position);
+  vec3 albedo = surface_albedo(surface_uv, gl_FrontFacing);
+  vec3 scatter = pixel_scatter();
+  vec3 sun_side = dot(normal, sun_direction.xyz) < 0.0 ? -normal : normal;
+  vec3 sky_side = dot(normal, sky_direction.xyz) < 0.0 ? -normal : normal;
+  vec3 sun = sun_irradiance.rgb * sun_visibility(world_position, sun_side, scatter);
+  vec3 sky = sky_irradiance.rgb * sky_share(sky_visibility(world_position, sky_side, scatter), albedo);
+  radiance = vec4(sun * scattered(albedo, normal, to_eye, sun_direction.xyz) +
+                  sky * scattered(albedo, normal, to_eye, sky_direction.xyz), 1.0);
+}

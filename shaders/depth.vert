@@ -1,0 +1,5 @@
+layout(location = 0) in vec3 position;
+
+uniform mat4 clip_from_position;
+
+void main() { gl_Position = clip_from_position * vec4(position, 1.0); }
