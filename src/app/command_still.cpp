@@ -1,0 +1,29 @@
+#include <filesystem>
+
+#include "app/commands.h"
+#include "app/exit_status.h"
+#include "app/render_frames.h"
+#include "app/run.h"
+#include "core/error.h"
+#include "render/png_file.h"
+
+namespace drape::app {
+
+// Here -o names the picture, so the run is the input's own.
+static int only_frame(const Run& run, const Options& options) {
+  const auto frames = chosen_frames(run, options);
+  if (options.frames.empty() || frames.size() != 1) throw InputError({{"", 0, 0, "name one frame: -f 60"}});
+  return frames.front();
+}
+
+int still_command(const Options& options, const Console&) {
+  const Run run = open_run(options.inputs.front(), options.overrides, "");
+  const int frame = only_frame(run, options);
+  const std::filesystem::path target =
+      options.output.empty() ? run.folder.root / ("still_" + frame_file_name(frame, ".png")) : options.output;
+  render::write_png(target, draw_frame(run, frame));
+  print_result(target.string());
+  return static_cast<int>(ExitStatus::done);
+}
+
+}  // namespace drape::app

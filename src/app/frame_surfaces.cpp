@@ -1,0 +1,81 @@
+#include "app/frame_surfaces.h"
+
+#include <variant>
+
+#include "app/collider_surface.h"
+#include "app/view.h"
+
+namespace drape::app {
+
+template <typename Item>
+static std::vector<Item> gather(const std::vector<Item>& items, const std::vector<int>& indices) {
+  std::vector<Item> result;
+  result.reserve(indices.size());
+  for (int index : indices) result.push_back(items[static_cast<std::size_t>(index)]);
+  return result;
+}
+
+static std::vector<Vec2f> to_float(const std::vector<Vec2>& values) {
+  std::vector<Vec2f> result;
+  for (const Vec2& value : values) result.push_back(value.cast<float>());
+  return result;
+}
+
+static PreparedCloth prepare_cloth(const ClothDescription& cloth, std::size_t first_point) {
+  const TriangleMesh& mesh = cloth.input.mesh;
+  PreparedCloth prepared;
+  prepared.first_point = first_point;
+  prepared.point_count = mesh.positions.size();
+  prepared.material = cloth.look.material;
+  if (cloth.look.subdivide > 0) prepared.subdivision.emplace(mesh, cloth.look.subdivide);
+  const auto& subdivision = prepared.subdivision;
+  prepared.triangles = subdivision ? subdivision->triangles() : mesh.triangles;
+  prepared.vertices =
+      split_at_seams(prepared.triangles, subdivision ? subdivision->uv_triangles() : mesh.uv_triangles);
+  if (!mesh.uvs.empty()) {
+    prepared.uvs = gather(subdivision ? subdivision->uvs() : to_float(mesh.uvs), prepared.vertices.uv_of);
+  }
+  return prepared;
+}
+
+PreparedScene prepare_scene(const SceneDescription& scene) {
+  PreparedScene prepared;
+  std::size_t first_point = 0;
+  for (const ClothDescription& cloth : scene.cloths) {
+    prepared.cloths.push_back(prepare_cloth(cloth, first_point));
+    first_point += prepared.cloths.back().point_count;
+  }
+  for (const ColliderDescription& collider : scene.colliders) {
+    const bool is_plane = std::holds_alternative<PlaneShape>(collider.input.shape);
+    prepared.colliders.push_back({collider_surface(collider), is_plane, collider.visible});
+  }
+  return prepared;
+}
+
+static render::Surface cloth_surface(const PreparedCloth& cloth, const CachedFrame& frame) {
+  const auto begin = frame.positions.begin() + static_cast<std::ptrdiff_t>(cloth.first_point);
+  std::vector<Vec3f> positions(begin, begin + static_cast<std::ptrdiff_t>(cloth.point_count));
+  if (cloth.subdivision) positions = cloth.subdivision->apply(positions);
+  render::Surface surface;
+  surface.normals = gather(vertex_normals(positions, cloth.triangles), cloth.vertices.point_of);
+  surface.positions = gather(positions, cloth.vertices.point_of);
+  surface.uvs = cloth.uvs;
+  surface.triangles = cloth.vertices.triangles;
+  surface.material = cloth.material;
+  surface.two_sided = true;
+  return surface;
+}
+
+std::vector<render::Surface> frame_surfaces(const PreparedScene& scene, const CachedFrame& frame) {
+  std::vector<render::Surface> surfaces;
+  for (const PreparedCloth& cloth : scene.cloths) surfaces.push_back(cloth_surface(cloth, frame));
+  for (std::size_t i = 0; i < scene.colliders.size(); ++i) {
+    const PreparedCollider& collider = scene.colliders[i];
+    const RigidPose& pose = frame.collider_poses[i];
+    const bool is_ground = collider.is_plane && is_level(pose);  // which frame_view takes care of
+    if (collider.visible && !is_ground) surfaces.push_back(posed(collider.surface, pose));
+  }
+  return surfaces;
+}
+
+}  // namespace drape::app

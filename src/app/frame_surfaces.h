@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/crease.h"
+#include "mesh/loop_subdivision.h"
+#include "render/view.h"
+#include "scene/description.h"
+#include "simulation/cache.h"
+
+namespace drape::app {
+
+// A cloth's part of what is the same in all frames.
+struct PreparedCloth {
+  std::size_t first_point = 0;  // in CachedFrame::positions
+  std::size_t point_count = 0;
+  std::optional<LoopSubdivision> subdivision;  // nothing: drawn as it is simulated
+  std::vector<Triangle> triangles;             // of the points, or of the refined ones
+  DrawnVertices vertices;
+  std::vector<Vec2f> uvs;  // one for each drawn vertex, or empty
+  render::Material material;
+};
+
+// A collider in its own frame.
+struct PreparedCollider {
+  render::Surface surface;
+  bool is_plane = false;
+  bool visible = true;
+};
+
+// What is drawn of a scene, as far as it is the same in all frames. Any number of threads may read it.
+struct PreparedScene {
+  std::vector<PreparedCloth> cloths;
+  std::vector<PreparedCollider> colliders;
+};
+PreparedScene prepare_scene(const SceneDescription& scene);
+
+// The surfaces of one frame.
+std::vector<render::Surface> frame_surfaces(const PreparedScene& scene, const CachedFrame& frame);
+
+}  // namespace drape::app

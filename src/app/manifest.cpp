@@ -1,0 +1,114 @@
+#include "app/manifest.h"
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "core/file.h"
+#include "core/hash.h"
+
+namespace drape::app {
+
+using Json = nlohmann::ordered_json;
+
+static std::uint64_t hash_from_hex(const std::string& text) { return std::stoull(text, nullptr, 16); }
+
+static Json cpu_json(const Profile& profile) {
+  Json json = Json::object();
+  for (std::size_t phase = 0; phase < phase_names.size(); ++phase) {
+    json[std::string(phase_names[phase])] = 1000 * profile.cpu_seconds[phase];
+  }
+  return json;
+}
+
+static Profile profile_from(const Json& json) {
+  Profile profile;
+  for (std::size_t phase = 0; phase < phase_names.size(); ++phase) {
+    profile.cpu_seconds[phase] = json.value(std::string(phase_names[phase]), 0.0) / 1000;
+  }
+  return profile;
+}
+
+static Json statistics_json(const FrameStatistics& statistics) {
+  return {{"largest_stretch", statistics.largest_stretch},   {"p99_stretch", statistics.p99_stretch},
+          {"smallest_stretch", statistics.smallest_stretch}, {"contacts", statistics.contacts},
+          {"kinetic_energy", statistics.kinetic_energy},     {"largest_speed", statistics.largest_speed},
+          {"cpu_ms", cpu_json(statistics.profile)}};
+}
+
+static FrameStatistics statistics_from(const Json& json) {
+  FrameStatistics statistics;
+  statistics.largest_stretch = json.at("largest_stretch");
+  statistics.p99_stretch = json.at("p99_stretch");
+  statistics.smallest_stretch = json.at("smallest_stretch");
+  statistics.contacts = json.at("contacts");
+  statistics.kinetic_energy = json.at("kinetic_energy");
+  statistics.largest_speed = json.at("largest_speed");
+  statistics.profile = profile_from(json.at("cpu_ms"));
+  return statistics;
+}
+
+static Json frame_json(int frame, const FrameRecord& record) {
+  Json json = {{"frame", frame},
+               {"state_hash", to_hex(record.state_hash)},
+               {"statistics", statistics_json(record.statistics)}};
+  if (record.picture_hash != 0) json["picture_hash"] = to_hex(record.picture_hash);
+  return json;
+}
+
+static FrameRecord frame_from(const Json& json) {
+  FrameRecord record;
+  record.state_hash = hash_from_hex(json.at("state_hash"));
+  record.statistics = statistics_from(json.at("statistics"));
+  record.picture_hash = hash_from_hex(json.value("picture_hash", "0"));
+  return record;
+}
+
+std::string to_json(const Manifest& manifest) {
+  Json json = {{"program_version", manifest.program_version},
+               {"build", to_hex(manifest.build)},
+               {"scene", manifest.scene},
+               {"overrides", manifest.overrides},
+               {"fingerprint", to_hex(manifest.fingerprint)},
+               {"threads", manifest.threads},
+               {"stages", Json::object()},
+               {"frames", Json::array()}};
+  for (const auto& [name, timing] : manifest.stages) {
+    json["stages"][name] = {{"wall_seconds", timing.wall_seconds}, {"cpu_seconds", timing.cpu_seconds}};
+  }
+  for (const auto& [frame, record] : manifest.frames) json["frames"].push_back(frame_json(frame, record));
+  return json.dump(1) + "\n";
+}
+
+Manifest manifest_from_json(const std::string& text) {
+  const Json json = Json::parse(text);
+  Manifest manifest;
+  manifest.program_version = json.at("program_version");
+  manifest.build = hash_from_hex(json.at("build"));
+  manifest.scene = json.at("scene");
+  manifest.overrides = json.at("overrides").get<std::vector<std::string>>();
+  manifest.fingerprint = hash_from_hex(json.at("fingerprint"));
+  manifest.threads = json.at("threads");
+  for (const auto& [name, timing] : json.at("stages").items()) {
+    manifest.stages[name] = {timing.at("wall_seconds"), timing.at("cpu_seconds")};
+  }
+  for (const auto& frame : json.at("frames")) manifest.frames[frame.at("frame")] = frame_from(frame);
+  return manifest;
+}
+
+std::optional<Manifest> read_manifest(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) return std::nullopt;
+  try {
+    return manifest_from_json(read_file(path));
+  } catch (const FileError&) {
+    throw;
+  } catch (const std::exception& fault) {
+    throw FileError(path.string(), std::string("is damaged; delete it to start anew: ") + fault.what());
+  }
+}
+
+void write_manifest(const std::filesystem::path& path, const Manifest& manifest) {
+  write_file(path, to_json(manifest));
+}
+
+}  // namespace drape::app

@@ -1,0 +1,150 @@
+#include "app/simulate.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <optional>
+
+#include "app/interrupt.h"
+#include "app/program.h"
+#include "app/progress.h"
+#include "app/stage_timer.h"
+#include "core/error.h"
+#include "core/parallel.h"
+#include "scene/load.h"
+#include "simulation/cache.h"
+#include "simulation/simulation.h"
+
+namespace drape::app {
+namespace fs = std::filesystem;
+
+// The scene's number of the frame that a state is.
+static int frame_number(const Run& run, const State& state) {
+  return run.scene.time.first_frame + state.frame;
+}
+
+// Whether every frame up to the state's is in the cache, whole and made from this scene.
+static bool cache_reaches(const Run& run, const State& state) {
+  for (int frame = run.scene.time.first_frame; frame <= frame_number(run, state); ++frame) {
+    if (!run.manifest.frames.contains(frame)) return false;
+    try {
+      const CachedFrame cached = read_cached_frame(run.folder.cache(), run.manifest.fingerprint, frame);
+      if (cached.state_hash != run.manifest.frames.at(frame).state_hash) return false;
+    } catch (const FileError&) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// A checkpoint that nothing speaks against going on from.
+static std::optional<State> state_to_resume(const Run& run, const Options& options, const Console& console) {
+  if (options.overwrite) return std::nullopt;
+  auto state = read_checkpoint(run.folder.cache(), run.manifest.fingerprint);
+  if (!state) return std::nullopt;
+  if (run.manifest.build != program_build() && !options.resume) {
+    note(console,
+         "the cache was made by another build of drape: starting anew (--resume would go on from it)");
+    return std::nullopt;
+  }
+  if (cache_reaches(run, *state)) return state;
+  note(console, "frames are missing from the cache, or damaged: starting anew");
+  return std::nullopt;
+}
+
+// Old frames go before new ones come, so that a stop in between cannot leave a mixture.
+static void forget_earlier_work(Run& run) {
+  run.manifest.frames.clear();
+  run.manifest.stages.clear();
+  std::error_code error;
+  fs::remove_all(run.folder.cache(), error);
+  if (error) throw FileError(run.folder.cache().string(), "cannot be removed: " + error.message());
+}
+
+namespace {
+
+// Keeps what is on disk close behind the simulation. Each frame goes into the cache at once; the record and
+// the checkpoint follow once a second, since they are rewritten as a whole and a second is soon simulated
+// again. The record goes first: it must know every frame that the checkpoint has left behind.
+class Keeper {
+ public:
+  explicit Keeper(Run& run) : run_(run) {}
+
+  void keep(const State& state, const FrameStatistics& statistics) {
+    const CachedFrame frame = to_cache(state);
+    write_cached_frame(run_.folder.cache(), run_.manifest.fingerprint, frame);
+    run_.manifest.frames[frame.frame] = {frame.state_hash, statistics, 0};
+    if (Clock::now() - saved_ >= std::chrono::seconds(1)) save(state);
+  }
+
+  void save(const State& state) {
+    write_manifest(run_.folder.manifest(), run_.manifest);
+    write_checkpoint(run_.folder.cache(), run_.manifest.fingerprint, state);
+    saved_ = Clock::now();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  CachedFrame to_cache(const State& state) const {
+    CachedFrame frame;
+    frame.frame = frame_number(run_, state);
+    frame.state_hash = state_hash(state);
+    frame.collider_poses = state.collider_poses;
+    frame.positions.reserve(state.positions.size());
+    for (const Vec3& position : state.positions) frame.positions.push_back(position.cast<float>());
+    return frame;
+  }
+
+  Run& run_;
+  Clock::time_point saved_ = Clock::now();
+};
+
+}  // namespace
+
+static FrameStatistics advance(Simulation& simulation, const Run& run) {
+  try {
+    return simulation.advance_frame();
+  } catch (const SimulationError& failure) {
+    write_manifest(run.folder.manifest(), run.manifest);
+    throw SimulationError(fmt::format("frame {}: {}", frame_number(run, simulation.state()), failure.what()));
+  }
+}
+
+static void advance_to_last_frame(Simulation& simulation, Run& run, const Console& console) {
+  const TimeSettings& time = run.scene.time;
+  Progress progress(console, "simulate", time.last_frame - time.first_frame + 1);
+  Keeper keeper(run);
+  if (run.manifest.frames.empty()) keeper.keep(simulation.state(), FrameStatistics{});
+  while (frame_number(run, simulation.state()) < time.last_frame && stop_signal() == 0) {
+    const FrameStatistics statistics = advance(simulation, run);
+    keeper.keep(simulation.state(), statistics);
+    progress.update(simulation.state().frame + 1, statistics.contacts);
+  }
+  keeper.save(simulation.state());
+}
+
+void simulate(Run& run, const Options& options, const Console& console) {
+  const ThreadLimit limit(options.threads);
+  auto checkpoint = state_to_resume(run, options, console);
+  if (!checkpoint) forget_earlier_work(run);
+  if (checkpoint && frame_number(run, *checkpoint) >= run.scene.time.last_frame) {
+    write_manifest(run.folder.manifest(), run.manifest);
+    return note(console, "simulate  every frame is in the cache already");
+  }
+  run.manifest.build = program_build();
+  run.manifest.threads = options.threads;
+  {
+    const StageTimer timer(run.manifest.stages["simulate"]);
+    Simulation simulation(simulation_input(run.scene));
+    if (checkpoint) {
+      note(console, fmt::format("simulate  goes on after frame {}", frame_number(run, *checkpoint)));
+      simulation.restore(std::move(*checkpoint));
+    }
+    advance_to_last_frame(simulation, run, console);
+  }
+  write_manifest(run.folder.manifest(), run.manifest);
+  throw_if_stopped();
+}
+
+}  // namespace drape::app

@@ -1,0 +1,33 @@
+#include "app/statistics_file.h"
+
+#include <fmt/format.h>
+
+#include "core/file.h"
+#include "core/hash.h"
+
+namespace drape::app {
+
+static std::string header() {
+  std::string line =
+      "frame,state_hash,largest_stretch,p99_stretch,smallest_stretch,contacts,kinetic_energy,largest_speed";
+  for (const std::string_view phase : phase_names) line += fmt::format(",{}_cpu_ms", phase);
+  return line + "\n";
+}
+
+static std::string row(int frame, const FrameRecord& record) {
+  const FrameStatistics& statistics = record.statistics;
+  std::string line =
+      fmt::format("{},{},{},{},{},{},{},{}", frame, to_hex(record.state_hash), statistics.largest_stretch,
+                  statistics.p99_stretch, statistics.smallest_stretch, statistics.contacts,
+                  statistics.kinetic_energy, statistics.largest_speed);
+  for (const double seconds : statistics.profile.cpu_seconds) line += fmt::format(",{:.3f}", 1000 * seconds);
+  return line + "\n";
+}
+
+void write_statistics(const std::filesystem::path& path, const Manifest& manifest) {
+  std::string text = header();
+  for (const auto& [frame, record] : manifest.frames) text += row(frame, record);
+  write_file(path, text);
+}
+
+}  // namespace drape::app
