@@ -25,17 +25,15 @@ inline double process_cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// Adds the CPU time between its construction and its destruction to one phase.
-class PhaseTimer {
- public:
-  PhaseTimer(Profile& profile, Phase phase) : total_(profile[phase]), start_(process_cpu_seconds()) {}
-  ~PhaseTimer() { total_ += process_cpu_seconds() - start_; }
-  PhaseTimer(const PhaseTimer&) = delete;
-  PhaseTimer& operator=(const PhaseTimer&) = delete;
-
- private:
-  double& total_;
-  double start_;
-};
+// Runs work() and adds the CPU time that it took to one phase.
+template <typename Work>
+auto timed(Profile& profile, Phase phase, const Work& work) {
+  struct Timer {
+    double& total;
+    double start = process_cpu_seconds();
+    ~Timer() { total += process_cpu_seconds() - start; }
+  } timer{profile[phase]};
+  return work();
+}
 
 }  // namespace drape

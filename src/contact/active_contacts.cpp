@@ -1,0 +1,172 @@
+#include "contact/active_contacts.h"
+
+#include <algorithm>
+
+#include "contact/conservative_advancement.h"
+#include "core/parallel.h"
+
+namespace drape {
+namespace {
+
+// A step lets old overlap heal by this share of the thickness (contact without a jump in velocity).
+constexpr double push_share = 0.05;
+// Conservative advancement stops when the gap to close is this share of the thickness.
+constexpr double arrival_share = 0.02;
+
+FourPoints at_time(const FourPoints& start, const FourPoints& end, double time) {
+  FourPoints x;
+  for (int i = 0; i < 4; ++i) x[i] = start[i] + time * (end[i] - start[i]);
+  return x;
+}
+
+Vec3 rigid_displacement(const BodyMotion& motion, const Vec3& point) {
+  const Vec3 local = motion.start.rotation.transpose() * (point - motion.start.translation);
+  return motion.end(local) - point;
+}
+
+// What a rounded collider's surface moves beyond its vertices, seen from the first side: these carry no turning.
+Vec3 turning(const NarrowPhase& phase, const ContactPair& pair, const ClosestPoints& closest,
+             const FourPoints& start, const FourPoints& end) {
+  const auto bodies = pair_bodies(phase.geometry, pair.kind, pair.vertices);
+  Vec3 relative = Vec3::Zero();
+  for (int side = 0; side < 2; ++side) {
+    const ContactBody& body = phase.geometry.bodies[bodies[side]];
+    if (body.is_cloth || body.radius == 0) continue;
+    const int begin = side == 0 ? 0 : first_side(pair.kind), last = side == 0 ? first_side(pair.kind) : 4;
+    Vec3 axis = Vec3::Zero(), moved = Vec3::Zero();
+    for (int i = begin; i < last; ++i) {
+      axis += std::abs(closest.weights[i]) * start[i];
+      moved += std::abs(closest.weights[i]) * (end[i] - start[i]);
+    }
+    const double sign = side == 0 ? 1 : -1;
+    const Vec3 surface = axis - sign * body.radius * closest.difference / closest.distance;
+    relative += sign * (rigid_displacement(phase.bodies[bodies[side]], surface) - moved);
+  }
+  return relative;
+}
+
+Contact make_contact(const NarrowPhase& phase, const ContactPair& pair, const ClosestPoints& closest,
+                     double start_distance, const FourPoints& start, const FourPoints& end) {
+  Contact contact{};
+  contact.key = {static_cast<int>(pair.kind), pair.vertices};
+  contact.vertices = pair.vertices;
+  contact.weights = closest.weights;
+  contact.normal = closest.difference / closest.distance;
+  contact.target = std::min(pair.thickness, start_distance);
+  contact.push_target = std::min(pair.thickness, start_distance + push_share * pair.thickness);
+  contact.friction = pair.friction;
+  contact.turn = turning(phase, pair, closest, start, end);
+  contact.thickness = pair.thickness;
+  contact.counts_edge_ends = pair.counts_edge_ends;
+  return contact;
+}
+
+// Edge-edge pairs that are closest at an end are point-triangle pairs too, and left to these.
+bool counted_elsewhere(const ContactPair& pair, const ClosestPoints& closest) {
+  return pair.kind == PairKind::edge_edge && !closest.inside_edges && !pair.counts_edge_ends;
+}
+
+double travelled(const ProximityList& list, const ContactPair& pair) {
+  double sum = 0;
+  for (const int v : pair.vertices) sum += list.travelled[v];
+  return sum;
+}
+
+// Appends a contact if the pair comes within its thickness; brings its expiry up to date.
+void examine_pair(const NarrowPhase& phase, double way_before, double way_in_step, ContactPair& pair,
+                  std::vector<Contact>& out) {
+  const FourPoints start = gather(phase.motion.start, pair.vertices);
+  const ClosestPoints at_start = closest_points(pair.kind, start);
+  const double reach = (1 + arrival_share) * pair.thickness;
+  pair.expiry = way_before + at_start.distance - reach;
+  if (way_before + way_in_step < pair.expiry) return;
+  const FourPoints end = gather(phase.motion.end, pair.vertices);
+  ClosestPoints closest = at_start;
+  if (at_start.distance > reach) {
+    const auto time =
+        time_of_contact(pair.kind, start, end, pair.thickness, arrival_share * pair.thickness);
+    if (!time) return;
+    closest = closest_points(pair.kind, at_time(start, end, *time));
+  }
+  if (counted_elsewhere(pair, closest) || !(closest.distance > 0)) return;
+  out.push_back(make_contact(phase, pair, closest, at_start.distance, start, end));
+}
+
+std::vector<double> ways_in_step(const NarrowPhase& phase, const ProximityList& list) {
+  const Vec3 shift = frame_motion(phase.geometry, list, phase.motion);
+  std::vector<double> ways(phase.geometry.vertex_body.size(), 0.0);
+  for (std::size_t v = 0; v < ways.size(); ++v)
+    ways[v] = (phase.motion.end[v] - phase.motion.start[v] - shift).norm();
+  return ways;
+}
+
+}  // namespace
+
+void find_active_pairs(const NarrowPhase& phase, ProximityList& list, std::vector<Contact>& contacts) {
+  constexpr std::size_t block = 1024;
+  const std::vector<double> ways = ways_in_step(phase, list);
+  std::vector<Contact> found;
+  parallel_collect(list.pairs.size(), block, found,
+                   [&](std::size_t begin, std::size_t end, std::vector<Contact>& out) {
+                     for (std::size_t p = begin; p < end; ++p) {
+                       ContactPair& pair = list.pairs[p];
+                       const double before = travelled(list, pair);
+                       double way = 0;
+                       for (const int v : pair.vertices) way += ways[v];
+                       if (before + way >= pair.expiry)
+                         examine_pair(phase, before, way, pair, out);
+                     }
+                   });
+  contacts.insert(contacts.end(), found.begin(), found.end());
+}
+
+// A vertex at or under its thickness over the plane, at the step's end.
+static void add_plane_contact(const NarrowPhase& phase, const ContactPlane& plane, const ContactBody& cloth, int v,
+                              std::vector<Contact>& contacts) {
+  const BodyMotion& motion = phase.bodies[plane.body];
+  const Vec3 up_start = motion.start.rotation.col(1), up_end = motion.end.rotation.col(1);
+  if (up_end.dot(phase.motion.end[v] - motion.end.translation) > cloth.thickness) return;
+  const double start_height = up_start.dot(phase.motion.start[v] - motion.start.translation);
+  const double offset = up_end.dot(motion.end.translation);
+  Contact contact{};
+  contact.key = {2 + plane.body, {v, v, v, v}};
+  contact.vertices = {v, v, v, v};
+  contact.weights = {1, 0, 0, 0};
+  contact.normal = up_end;
+  contact.target = offset + std::min(cloth.thickness, start_height);
+  contact.push_target = offset + std::min(cloth.thickness, start_height + push_share * cloth.thickness);
+  contact.friction = pair_friction(phase.geometry, phase.geometry.vertex_body[v], plane.body);
+  contact.turn = -rigid_displacement(motion, phase.motion.start[v]);
+  contact.thickness = cloth.thickness;
+  contacts.push_back(contact);
+}
+
+void find_plane_contacts(const NarrowPhase& phase, std::vector<Contact>& contacts) {
+  for (const ContactPlane& plane : phase.geometry.planes)
+    for (const ContactBody& body : phase.geometry.bodies)
+      for (int v = body.vertex_begin; body.is_cloth && v < body.vertex_end; ++v)
+        if (phase.geometry.inverse_masses[v] > 0) add_plane_contact(phase, plane, body, v, contacts);
+}
+
+static ContactPair pair_of(const Contact& contact) {
+  return {contact.vertices, static_cast<PairKind>(contact.key.first), contact.counts_edge_ends,
+          contact.thickness, contact.friction, 0};
+}
+
+void find_moved_contacts(const NarrowPhase& phase, const std::vector<Contact>& known,
+                         std::vector<Contact>& added) {
+  constexpr double too_near = 0.02;  // share of the thickness
+  for (const Contact& contact : known) {
+    if (contact.key.first > 1) continue;  // a plane's contact does not move
+    const ContactPair pair = pair_of(contact);
+    const FourPoints end = gather(phase.motion.end, pair.vertices);
+    const ClosestPoints closest = closest_points(pair.kind, end);
+    if (closest.distance > contact.target - too_near * pair.thickness || !(closest.distance > 0)) continue;
+    if (counted_elsewhere(pair, closest) || closest.difference.dot(contact.normal) <= 0) continue;
+    const FourPoints start = gather(phase.motion.start, pair.vertices);
+    added.push_back(
+        make_contact(phase, pair, closest, closest_points(pair.kind, start).distance, start, end));
+  }
+}
+
+}  // namespace drape

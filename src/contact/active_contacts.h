@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "contact/contact_geometry.h"
+#include "contact/proximity.h"
+
+namespace drape {
+
+// Which pair a contact is of: its kind (or 2 + the plane's body) and its vertices.
+using ContactKey = std::pair<int, std::array<int, 4>>;
+
+// A contact that the response has to hold: along `normal`, the two sides (weights as in ClosestPoints) must stay
+// `target` apart at the step's end.
+struct Contact {
+  ContactKey key;
+  std::array<int, 4> vertices;
+  std::array<double, 4> weights;  // a vertex that plays no part has 0
+  Vec3 normal;                    // unit, from the second side to the first
+  double target;       // m: what is kept in this step; old overlap is no more than kept from growing
+  double push_target;  // m: what the push after the step grows towards
+  double friction;
+  Vec3 turn;           // m: what the turning of a rounded or plane collider adds to the sides' relative motion
+  double thickness;    // m
+  bool counts_edge_ends;
+  double impulse = 0;                    // lambda: kg m, never negative
+  Vec3 friction_impulse = Vec3::Zero();  // across the normal, no longer than friction * impulse
+};
+
+// Where a body is at the start and the end of the step; cloths have none.
+struct BodyMotion {
+  RigidPose start, end;
+};
+
+// How the narrow phase sees one step.
+struct NarrowPhase {
+  const ContactGeometry& geometry;
+  const std::vector<BodyMotion>& bodies;
+  StepMotion motion;
+};
+
+// The pairs of the list that come within their thickness on the way, each at the first time that they do (section
+// 5 of the paper: collisions are detected on the future positions). Pairs that are known to be too far are passed
+// over; their `expiry` is brought up to date.
+void find_active_pairs(const NarrowPhase& phase, ProximityList& list, std::vector<Contact>& contacts);
+
+// Vertices within their thickness of a plane at the step's end.
+void find_plane_contacts(const NarrowPhase& phase, std::vector<Contact>& contacts);
+
+// For pairs already in contact: those whose closest points at the end are too near all the same get a second
+// contact there (their closest feature has moved).
+void find_moved_contacts(const NarrowPhase& phase, const std::vector<Contact>& known,
+                         std::vector<Contact>& added);
+
+}  // namespace drape

@@ -1,0 +1,31 @@
+#include "contact/contact_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace drape {
+
+std::array<int, 2> pair_bodies(const ContactGeometry& geometry, PairKind kind, const std::array<int, 4>& vertices) {
+  return {geometry.vertex_body[vertices[0]], geometry.vertex_body[vertices[first_side(kind)]]};
+}
+
+static double thickness_within(const ContactGeometry& geometry, PairKind kind, const std::array<int, 4>& vertices,
+                               double thickness) {
+  const double rest_distance = closest_points(kind, gather(geometry.rest_positions, vertices)).distance;
+  return std::min(thickness, 2 / std::numbers::pi * rest_distance);
+}
+
+double pair_thickness(const ContactGeometry& geometry, PairKind kind, const std::array<int, 4>& vertices) {
+  const auto [a, b] = pair_bodies(geometry, kind, vertices);
+  const ContactBody &first = geometry.bodies[a], &second = geometry.bodies[b];
+  if (a == b) return thickness_within(geometry, kind, vertices, first.thickness);
+  if (first.is_cloth && second.is_cloth) return 0.5 * (first.thickness + second.thickness);
+  return first.thickness + second.thickness + first.radius + second.radius;
+}
+
+double pair_friction(const ContactGeometry& geometry, int body_a, int body_b) {
+  return std::sqrt(geometry.bodies[body_a].friction * geometry.bodies[body_b].friction);
+}
+
+}  // namespace drape

@@ -1,0 +1,248 @@
+#include "contact/fail_safe.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "contact/conservative_advancement.h"
+#include "core/parallel.h"
+
+namespace drape {
+namespace {
+
+// The shares of their ways that the vertices and the bodies go so far.
+struct Progress {
+  std::vector<double> share;
+  std::vector<double> body_share;
+  std::vector<char> changed;  // vertices whose share this pass has cut
+};
+
+struct Work {
+  const NarrowPhase& phase;
+  const std::vector<Vec3>& end;
+  double least_gap;
+  Progress& progress;
+};
+
+FourPoints reached(const Work& work, const ContactPair& pair) {
+  FourPoints x;
+  for (int i = 0; i < 4; ++i) {
+    const int v = pair.vertices[i];
+    const Vec3& start = work.phase.motion.start[v];
+    x[i] = start + work.progress.share[v] * (work.end[v] - start);
+  }
+  return x;
+}
+
+// What parts the sides of a pair: points of the first side keep n.x >= first, those of the second n.x <= second.
+struct Separation {
+  Vec3 normal;
+  double first, second;
+};
+
+double approach(const FourPoints& way, const Vec3& normal, int begin, int end) {
+  double fastest = 0;
+  for (int i = begin; i < end; ++i) fastest = std::max(fastest, normal.dot(way[i]));
+  return fastest;
+}
+
+// The room between the sides beyond the gap, shared by speed of approach; a collider takes what it needs first.
+double share_of_room(const ContactGeometry& geometry, const ContactPair& pair, double first_speed,
+                     double second_speed, double room) {
+  const auto bodies = pair_bodies(geometry, pair.kind, pair.vertices);
+  const bool first_is_collider = !geometry.bodies[bodies[0]].is_cloth;
+  const bool second_is_collider = !geometry.bodies[bodies[1]].is_cloth;
+  const double total = first_speed + second_speed;
+  double share = total > 0 ? first_speed / total : 0.5;
+  if (first_is_collider && room > 0) share = first_speed / room;
+  if (second_is_collider && room > 0) share = 1 - second_speed / room;
+  return std::clamp(share, 0.05, 0.95);
+}
+
+Separation separate(const Work& work, const ContactPair& pair, const FourPoints& start,
+                    const ClosestPoints& closest, double gap) {
+  const int n = first_side(pair.kind);
+  FourPoints way;
+  for (int i = 0; i < 4; ++i) way[i] = work.end[pair.vertices[i]] - start[i];
+  Separation planes{closest.difference / closest.distance, 0, 0};
+  double low = 1e300, high = -1e300;
+  for (int i = 0; i < n; ++i) low = std::min(low, planes.normal.dot(start[i]));
+  for (int i = n; i < 4; ++i) high = std::max(high, planes.normal.dot(start[i]));
+  const double room = std::max(0.0, low - high - gap);
+  const double share = share_of_room(work.phase.geometry, pair, approach(way, -planes.normal, 0, n),
+                                     approach(way, planes.normal, n, 4), room);
+  planes.first = low - share * room;
+  planes.second = high + (1 - share) * room;
+  return planes;
+}
+
+// Cuts the vertex's way where `height` (its room above a plane at the start) is used up by its `fall`.
+void limit(Progress& progress, int vertex, double height, double fall) {
+  if (fall * progress.share[vertex] <= height) return;
+  progress.share[vertex] = std::max(0.0, height) / fall * (1 - 1e-12);
+  progress.changed[vertex] = 1;
+}
+
+void lock(const Work& work, const ContactPair& pair, const FourPoints& start, const Separation& planes) {
+  const int n = first_side(pair.kind);
+  for (int i = 0; i < 4; ++i) {
+    const double sign = i < n ? 1 : -1;
+    const double plane = i < n ? planes.first : planes.second;
+    const double height = sign * (planes.normal.dot(start[i]) - plane);
+    const double fall = -sign * planes.normal.dot(work.end[pair.vertices[i]] - start[i]);
+    limit(work.progress, pair.vertices[i], height, fall);
+  }
+}
+
+// Whether the pair, as far as its vertices go now, keeps its gap all the way.
+bool keeps_gap(const Work& work, const ContactPair& pair, const FourPoints& start, double distance, double gap) {
+  const FourPoints x = reached(work, pair);
+  if (distance - relative_motion(pair.kind, start, x) > gap) return true;
+  return !time_of_contact(pair.kind, start, x, gap, 0.01 * gap);
+}
+
+// The gap that is kept between the surfaces: rounded colliders are balls round their points and edges.
+double kept_gap(const Work& work, const ContactPair& pair, double distance) {
+  const auto bodies = pair_bodies(work.phase.geometry, pair.kind, pair.vertices);
+  const double radius =
+      work.phase.geometry.bodies[bodies[0]].radius + work.phase.geometry.bodies[bodies[1]].radius;
+  return std::min(radius + work.least_gap, distance);
+}
+
+// The pairs of the list that may come close in this step at all, by their travelled ways.
+std::vector<int> pairs_at_risk(const Work& work, const ProximityList& list) {
+  const Vec3 shift = frame_motion(work.phase.geometry, list, {work.phase.motion.start, work.end});
+  std::vector<int> risky;
+  constexpr std::size_t block = 2048;
+  parallel_collect(list.pairs.size(), block, risky, [&](std::size_t begin, std::size_t end, std::vector<int>& out) {
+    for (std::size_t p = begin; p < end; ++p) {
+      const ContactPair& pair = list.pairs[p];
+      double way = 0;
+      // A vertex that is held back lags behind the frame by the frame's own way at most.
+      for (const int v : pair.vertices)
+        way += list.travelled[v] + (work.end[v] - work.phase.motion.start[v] - shift).norm() + shift.norm();
+      if (way >= pair.expiry + pair.thickness - 2 * work.least_gap) out.push_back(static_cast<int>(p));
+    }
+  });
+  return risky;
+}
+
+// The pairs of one list that may collide, and which of them are locked.
+struct Watch {
+  const ProximityList& list;
+  std::vector<int> pairs;
+  std::vector<char> locked;
+};
+
+bool collides(const Work& work, const ContactPair& pair) {
+  const FourPoints start = gather(work.phase.motion.start, pair.vertices);
+  const double distance = closest_points(pair.kind, start).distance;
+  return !keeps_gap(work, pair, start, distance, kept_gap(work, pair, distance));
+}
+
+// The watched pairs that collide as far as the vertices go now. After the first pass only those need a look of
+// which a vertex was cut in the pass before.
+std::vector<int> colliding_pairs(const Work& work, const Watch& watch, bool first_pass,
+                                 const std::vector<char>& cut_before) {
+  constexpr std::size_t block = 256;
+  std::vector<int> colliding;
+  parallel_collect(watch.pairs.size(), block, colliding,
+                   [&](std::size_t begin, std::size_t end, std::vector<int>& out) {
+                     for (std::size_t w = begin; w < end; ++w) {
+                       const ContactPair& pair = watch.list.pairs[watch.pairs[w]];
+                       const auto& v = pair.vertices;
+                       const bool cut = cut_before[v[0]] || cut_before[v[1]] || cut_before[v[2]] || cut_before[v[3]];
+                       if (!watch.locked[w] && (first_pass || cut) && collides(work, pair))
+                         out.push_back(static_cast<int>(w));
+                     }
+                   });
+  return colliding;
+}
+
+void lock_colliding_pairs(const Work& work, Watch& watch, bool first_pass, const std::vector<char>& cut_before) {
+  for (const int w : colliding_pairs(work, watch, first_pass, cut_before)) {
+    const ContactPair& pair = watch.list.pairs[watch.pairs[w]];
+    const FourPoints start = gather(work.phase.motion.start, pair.vertices);
+    const ClosestPoints closest = closest_points(pair.kind, start);
+    assert(closest.distance > 0);
+    watch.locked[w] = 1;
+    lock(work, pair, start, separate(work, pair, start, closest, kept_gap(work, pair, closest.distance)));
+  }
+}
+
+// Holds a vertex over a plane: the plane goes as far as it can if the vertex stays, the vertex what room is left.
+void hold_over_plane(const Work& work, const ContactPlane& plane, int v) {
+  const BodyMotion& motion = work.phase.bodies[plane.body];
+  const Vec3& start = work.phase.motion.start[v];
+  const Vec3 up = motion.end.rotation.col(1);
+  const double height = motion.start.rotation.col(1).dot(start - motion.start.translation);
+  const double room = std::max(0.0, height - work.least_gap);
+  const double vertex_fall = -up.dot(work.end[v] - start);
+  const double plane_rise = height - up.dot(start - motion.end.translation);
+  Progress& progress = work.progress;
+  double& plane_share = progress.body_share[plane.body];
+  const auto fall = [&] { return progress.share[v] * vertex_fall + plane_share * plane_rise; };
+  if (fall() <= room) return;
+  if (vertex_fall > 0) limit(progress, v, room - plane_share * plane_rise, vertex_fall);
+  if (fall() > room && plane_rise > 0)
+    plane_share = std::max(0.0, (room - progress.share[v] * vertex_fall) / plane_rise);
+}
+
+void hold_over_planes(const Work& work) {
+  for (const ContactPlane& plane : work.phase.geometry.planes)
+    for (const ContactBody& body : work.phase.geometry.bodies)
+      for (int v = body.vertex_begin; body.is_cloth && v < body.vertex_end; ++v)
+        if (work.phase.geometry.inverse_masses[v] > 0) hold_over_plane(work, plane, v);
+}
+
+// A rigid collider goes one share: the least of its vertices'.
+void keep_colliders_rigid(const Work& work) {
+  Progress& progress = work.progress;
+  for (std::size_t b = 0; b < work.phase.geometry.bodies.size(); ++b) {
+    const ContactBody& body = work.phase.geometry.bodies[b];
+    if (body.is_cloth) continue;
+    double& least = progress.body_share[b];
+    for (int v = body.vertex_begin; v < body.vertex_end; ++v) least = std::min(least, progress.share[v]);
+    for (int v = body.vertex_begin; v < body.vertex_end; ++v)
+      if (progress.share[v] > least) {
+        progress.share[v] = least;
+        progress.changed[v] = 1;
+      }
+  }
+}
+
+}  // namespace
+
+FailSafeResult hold_back(const NarrowPhase& phase, const std::vector<ProximityList>& lists, double least_gap,
+                         std::vector<Vec3>& end) {
+  const std::size_t vertices = end.size();
+  Progress progress{std::vector<double>(vertices, 1.0), std::vector<double>(phase.geometry.bodies.size(), 1.0), {}};
+  const Work work{phase, end, least_gap, progress};
+  std::vector<Watch> watches;
+  for (const ProximityList& list : lists) {
+    std::vector<int> risky = pairs_at_risk(work, list);
+    const std::size_t count = risky.size();
+    watches.push_back({list, std::move(risky), std::vector<char>(count, 0)});
+  }
+  FailSafeResult result;
+  std::vector<char> cut_before;
+  do {
+    cut_before.swap(progress.changed);
+    cut_before.resize(vertices, 0);
+    progress.changed.assign(vertices, 0);
+    for (Watch& watch : watches) lock_colliding_pairs(work, watch, result.passes == 0, cut_before);
+    hold_over_planes(work);
+    keep_colliders_rigid(work);
+    ++result.passes;
+  } while (std::find(progress.changed.begin(), progress.changed.end(), 1) != progress.changed.end());
+
+  for (std::size_t v = 0; v < vertices; ++v)
+    if (progress.share[v] < 1) {
+      end[v] = phase.motion.start[v] + progress.share[v] * (end[v] - phase.motion.start[v]);
+      ++result.limited_vertices;
+    }
+  result.vertex_progress = std::move(progress.share);
+  result.body_progress = std::move(progress.body_share);
+  return result;
+}
+
+}  // namespace drape

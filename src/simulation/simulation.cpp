@@ -1,0 +1,69 @@
+#include "simulation/simulation.h"
+
+#include <algorithm>
+
+#include "core/hash.h"
+#include "simulation/statistics.h"
+#include "simulation/step.h"
+#include "simulation/world.h"
+
+namespace drape {
+
+struct Simulation::Parts {
+  World world;
+  State state;
+  Scratch scratch;
+};
+
+Simulation::Simulation(SimulationInput input) : parts_(std::make_unique<Parts>()) {
+  parts_->world = build_world(std::move(input));
+  parts_->state = initial_state(parts_->world);
+}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+
+const State& Simulation::state() const { return parts_->state; }
+void Simulation::restore(State state) { parts_->state = std::move(state); }
+const SimulationInput& Simulation::input() const { return parts_->world.input; }
+int Simulation::steps_per_frame() const { return parts_->world.steps_per_frame; }
+
+FrameStatistics Simulation::advance_frame() {
+  auto& [world, state, scratch] = *parts_;
+  Profile profile;
+  ContactStepResult last;
+  int limited = 0;
+  const long first_step = static_cast<long>(state.frame) * world.steps_per_frame;
+  update_pins(world, state.frame * world.input.frame_duration);
+  scratch.contacts = empty_contact_cache(world.geometry);  // a resumed run must start from the same
+  for (int i = 1; i <= world.steps_per_frame; ++i) {
+    const double time = static_cast<double>(first_step + i) * world.step;
+    last = advance_step(world, time, state, scratch, profile);
+    limited += last.limited_vertices;
+  }
+  ++state.frame;
+
+  FrameStatistics statistics = measure(world, state);
+  statistics.contacts = last.contacts;
+  statistics.limited_vertices = limited;
+  const double now = state.frame * world.input.frame_duration;
+  for (const double reached : state.collider_times)
+    statistics.largest_lag = std::max(statistics.largest_lag, now - reached);
+  statistics.profile = profile;
+  return statistics;
+}
+
+static void add_vectors(Hasher& hasher, const std::vector<Vec3>& vectors) {
+  hasher.add(vectors.data(), vectors.size() * sizeof(Vec3));
+}
+
+std::uint64_t state_hash(const State& state) {
+  Hasher hasher;
+  hasher.add(&state.frame, sizeof state.frame);
+  add_vectors(hasher, state.positions);
+  add_vectors(hasher, state.velocities);
+  add_vectors(hasher, state.collider_points);
+  hasher.add(state.collider_times.data(), state.collider_times.size() * sizeof(double));
+  return hasher.digest();
+}
+
+}  // namespace drape

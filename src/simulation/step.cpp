@@ -1,0 +1,92 @@
+#include "simulation/step.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "simulation/forces.h"
+
+namespace drape {
+namespace {
+
+// A collider that was held up catches up at this multiple of its own pace.
+constexpr double catch_up = 1.5;
+
+// Where every vertex is before the step, and (for now) after it.
+void gather_start(const State& state, Scratch& scratch) {
+  scratch.start = state.positions;
+  scratch.start.insert(scratch.start.end(), state.collider_points.begin(), state.collider_points.end());
+  scratch.end = scratch.start;
+}
+
+// Section 3: external forces, and x* = x + h v. Pinned points go where their pins go.
+void predict(const World& world, double time, State& state, Scratch& scratch) {
+  damp_bending(world.elastic.hinges, world.elastic.inverse_masses, world.step, state.velocities);
+  apply_external_forces(world, state.positions, state.velocities);
+  for (std::size_t v = 0; v < state.positions.size(); ++v)
+    if (!world.pinned[v]) scratch.end[v] += world.step * state.velocities[v];
+  for (const Pin& pin : world.pins)
+    for (std::size_t i = 0; i < pin.vertices.size(); ++i)
+      if (world.pinned[pin.vertices[i]]) scratch.end[pin.vertices[i]] = pin_position(pin, i, time);
+}
+
+// Section 4: x* -> x**. Pieces that nothing holds keep their angular momentum.
+void pull(const World& world, Scratch& scratch) {
+  scratch.predicted = scratch.end;
+  pull_to_goals(world.elastic, scratch.fibres, scratch.end);
+  for (const FreePiece& piece : world.free_pieces)
+    restore_angular_momentum(piece, world.masses, scratch.start, scratch.predicted, scratch.end);
+}
+
+void check_finite(const std::vector<Vec3>& x) {
+  const bool finite = std::all_of(x.begin(), x.end(), [](const Vec3& p) { return p.allFinite(); });
+  if (!finite) throw SimulationError("the positions are no longer finite numbers: try a smaller time step");
+}
+
+// Where the colliders make for: their pose at `time`, or what of it they can catch up with.
+void aim_colliders(const World& world, double time, const State& state, Scratch& scratch) {
+  scratch.bodies.assign(world.geometry.bodies.size(), {});
+  scratch.collider_aims.resize(world.input.colliders.size());
+  std::size_t point = state.positions.size();
+  for (std::size_t c = 0; c < world.input.colliders.size(); ++c) {
+    const RigidMotion& motion = world.input.colliders[c].motion;
+    const double reached = state.collider_times[c];
+    scratch.collider_aims[c] = std::min(time, reached + catch_up * world.step);
+    BodyMotion& body = scratch.bodies[world.input.cloths.size() + c];
+    body = {pose_at(motion, reached), pose_at(motion, scratch.collider_aims[c])};
+    for (const Vec3& local : world.collider_points[c]) scratch.end[point++] = body.end(local);
+  }
+}
+
+// Velocities from the positions that contact has left; colliders to where they came.
+void integrate(const World& world, const ContactStepResult& contact, State& state, Scratch& scratch) {
+  const std::size_t count = state.positions.size();
+  for (std::size_t v = 0; v < count; ++v)
+    state.velocities[v] = (scratch.end[v] - scratch.start[v] - contact.push[v]) / world.step;
+  state.positions.assign(scratch.end.begin(), scratch.end.begin() + static_cast<std::ptrdiff_t>(count));
+  state.collider_points.assign(scratch.end.begin() + static_cast<std::ptrdiff_t>(count), scratch.end.end());
+  for (std::size_t c = 0; c < state.collider_times.size(); ++c) {
+    const double share = contact.body_progress[world.input.cloths.size() + c];
+    double& reached = state.collider_times[c];
+    reached = share < 1 ? reached + share * (scratch.collider_aims[c] - reached) : scratch.collider_aims[c];
+    state.collider_poses[c] = pose_at(world.input.colliders[c].motion, reached);
+  }
+}
+
+}  // namespace
+
+ContactStepResult advance_step(const World& world, double time, State& state, Scratch& scratch, Profile& profile) {
+  timed(profile, Phase::elastic, [&] {
+    gather_start(state, scratch);
+    predict(world, time, state, scratch);
+    pull(world, scratch);
+  });
+  check_finite(scratch.end);
+  timed(profile, Phase::other, [&] { aim_colliders(world, time, state, scratch); });
+  const ContactStepResult contact =
+      step_contacts(world.geometry, world.contact_settings, scratch.bodies, scratch.start, scratch.contacts, profile,
+                    scratch.end);
+  timed(profile, Phase::other, [&] { integrate(world, contact, state, scratch); });
+  return contact;
+}
+
+}  // namespace drape

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "contact/contact_step.h"
+#include "deformation/fibres.h"
+#include "simulation/simulation.h"
+#include "simulation/world.h"
+
+namespace drape {
+
+// What one step needs to work in; nothing of it outlives a frame.
+struct Scratch {
+  std::vector<Vec3> start, end;  // of all contact vertices: cloths, then colliders
+  std::vector<Vec3> predicted;   // x*
+  std::vector<BodyMotion> bodies;
+  std::vector<double> collider_aims;  // seconds: the time on its way that each collider makes for
+  FibreScratch fibres;
+  ContactCache contacts;
+};
+
+// One step of the paper's loop (section 3), from time - step to `time`.
+ContactStepResult advance_step(const World& world, double time, State& state, Scratch& scratch, Profile& profile);
+
+}  // namespace drape

@@ -1,0 +1,179 @@
+#include "simulation/world.h"
+
+#include <cmath>
+
+#include "mesh/topology.h"
+#include "simulation/colliders.h"
+
+namespace drape {
+namespace {
+
+Sheet build_sheet(const SimulationInput& input) {
+  Sheet sheet;
+  for (const ClothInput& cloth : input.cloths) {
+    const int first = static_cast<int>(sheet.rest_positions.size());
+    const ClothMaterial& material = cloth.material;
+    const std::vector<Vec3>& rest = cloth.mesh.positions;
+    sheet.rest_positions.insert(sheet.rest_positions.end(), rest.begin(), rest.end());
+    for (const auto& [a, b, c] : cloth.mesh.triangles) sheet.triangles.push_back({a + first, b + first, c + first});
+    sheet.triangle_materials.resize(sheet.triangles.size(), static_cast<int>(sheet.materials.size()));
+    sheet.materials.push_back(
+        {material.density, material.stretch_stiffness, material.bend_stiffness, material.damping});
+  }
+  sheet.topology = build_topology(static_cast<int>(sheet.rest_positions.size()), sheet.triangles);
+  return sheet;
+}
+
+void add_cloth_body(const Sheet& sheet, const ClothInput& cloth, ContactGeometry& geometry) {
+  ContactBody body;
+  body.thickness = cloth.material.thickness;
+  body.friction = cloth.material.friction;
+  body.vertex_begin = static_cast<int>(geometry.vertex_body.size());
+  body.vertex_end = body.vertex_begin + static_cast<int>(cloth.mesh.positions.size());
+  body.edge_begin = static_cast<int>(geometry.edges.size());
+  body.triangle_begin = static_cast<int>(geometry.triangles.size());
+  for (const Edge& edge : sheet.topology.edges)
+    if (edge.vertices[0] >= body.vertex_begin && edge.vertices[0] < body.vertex_end)
+      geometry.edges.push_back(edge.vertices);
+  for (const Triangle& triangle : sheet.triangles)
+    if (triangle[0] >= body.vertex_begin && triangle[0] < body.vertex_end) geometry.triangles.push_back(triangle);
+  body.edge_end = static_cast<int>(geometry.edges.size());
+  body.triangle_end = static_cast<int>(geometry.triangles.size());
+  geometry.vertex_body.resize(body.vertex_end, static_cast<int>(geometry.bodies.size()));
+  geometry.bodies.push_back(body);
+}
+
+void add_collider_body(const ColliderInput& collider, const ColliderPrimitives& primitives,
+                       ContactGeometry& geometry) {
+  ContactBody body;
+  body.is_cloth = false;
+  body.radius = primitives.radius;
+  body.friction = collider.friction;
+  body.vertex_begin = static_cast<int>(geometry.vertex_body.size());
+  body.vertex_end = body.vertex_begin + static_cast<int>(primitives.points.size());
+  body.edge_begin = static_cast<int>(geometry.edges.size());
+  body.triangle_begin = static_cast<int>(geometry.triangles.size());
+  const int first = body.vertex_begin;
+  for (const auto& [a, b] : primitives.edges) geometry.edges.push_back({a + first, b + first});
+  for (const auto& [a, b, c] : primitives.triangles) geometry.triangles.push_back({a + first, b + first, c + first});
+  body.edge_end = static_cast<int>(geometry.edges.size());
+  body.triangle_end = static_cast<int>(geometry.triangles.size());
+  const int index = static_cast<int>(geometry.bodies.size());
+  if (std::holds_alternative<PlaneShape>(collider.shape)) geometry.planes.push_back({index});
+  geometry.vertex_body.resize(body.vertex_end, index);
+  geometry.rest_positions.insert(geometry.rest_positions.end(), primitives.points.begin(), primitives.points.end());
+  geometry.bodies.push_back(body);
+}
+
+void build_geometry(World& world) {
+  ContactGeometry& geometry = world.geometry;
+  geometry.self_collision = world.input.self_collision;
+  for (const ClothInput& cloth : world.input.cloths) add_cloth_body(world.sheet, cloth, geometry);
+  geometry.rest_positions = world.sheet.rest_positions;
+  for (const ColliderInput& collider : world.input.colliders) {
+    const ColliderPrimitives primitives = collider_primitives(collider.shape);
+    add_collider_body(collider, primitives, geometry);
+    world.collider_points.push_back(primitives.points);
+  }
+  world.contact_settings = contact_settings(geometry);
+}
+
+std::vector<Pin> build_pins(const SimulationInput& input) {
+  std::vector<Pin> pins;
+  int first = 0;
+  for (const ClothInput& cloth : input.cloths) {
+    for (const PinInput& pin_input : cloth.pins) {
+      Pin pin{{}, {}, Vec3::Zero(), pin_input.motion, pin_input.until};
+      for (const int v : pin_input.vertices) {
+        pin.vertices.push_back(first + v);
+        pin.starts.push_back(cloth.start_positions[v]);
+        pin.centroid += cloth.start_positions[v] / static_cast<double>(pin_input.vertices.size());
+      }
+      pins.push_back(std::move(pin));
+    }
+    first += static_cast<int>(cloth.mesh.positions.size());
+  }
+  return pins;
+}
+
+bool holds(const Pin& pin, double time) { return !pin.until || time < *pin.until; }
+
+std::vector<char> pinned_vertices(const World& world, double time) {
+  std::vector<char> pinned(world.masses.size(), 0);
+  for (const Pin& pin : world.pins)
+    if (holds(pin, time))
+      for (const int v : pin.vertices) pinned[v] = 1;
+  return pinned;
+}
+
+// The connected pieces that no pin holds.
+std::vector<FreePiece> free_pieces(const World& world) {
+  const int count = static_cast<int>(world.masses.size());
+  const std::vector<int> piece_of = connected_pieces(count, world.sheet.triangles);
+  std::vector<FreePiece> pieces;
+  std::vector<char> held;
+  for (int v = 0; v < count; ++v) {
+    const std::size_t piece = static_cast<std::size_t>(piece_of[v]);
+    if (piece >= pieces.size()) {
+      pieces.resize(piece + 1);
+      held.resize(piece + 1, 0);
+    }
+    pieces[piece].vertices.push_back(v);
+    if (world.pinned[v]) held[piece] = 1;
+  }
+  std::vector<FreePiece> free;
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+    if (!held[p]) free.push_back(std::move(pieces[p]));
+  return free;
+}
+
+void build_pinned_parts(World& world, std::vector<char> pinned) {
+  world.pinned = std::move(pinned);
+  world.elastic = build_elastic_model(world.sheet, world.masses, world.pinned, world.step);
+  world.geometry.inverse_masses = world.elastic.inverse_masses;
+  world.geometry.inverse_masses.resize(world.geometry.vertex_body.size(), 0.0);
+  world.free_pieces = free_pieces(world);
+}
+
+}  // namespace
+
+World build_world(SimulationInput input) {
+  World world;
+  world.input = std::move(input);
+  world.steps_per_frame =
+      static_cast<int>(std::ceil(world.input.frame_duration / world.input.largest_step - 1e-9));
+  world.step = world.input.frame_duration / world.steps_per_frame;
+  world.sheet = build_sheet(world.input);
+  world.masses = lumped_masses(world.sheet);
+  world.pins = build_pins(world.input);
+  build_geometry(world);
+  build_pinned_parts(world, pinned_vertices(world, 0));
+  return world;
+}
+
+State initial_state(const World& world) {
+  State state;
+  for (const ClothInput& cloth : world.input.cloths)
+    state.positions.insert(state.positions.end(), cloth.start_positions.begin(), cloth.start_positions.end());
+  state.velocities.assign(state.positions.size(), Vec3::Zero());
+  for (std::size_t c = 0; c < world.input.colliders.size(); ++c) {
+    const RigidPose pose = pose_at(world.input.colliders[c].motion, 0);
+    for (const Vec3& point : world.collider_points[c]) state.collider_points.push_back(pose(point));
+    state.collider_times.push_back(0);
+    state.collider_poses.push_back(pose);
+  }
+  return state;
+}
+
+void update_pins(World& world, double time) {
+  std::vector<char> pinned = pinned_vertices(world, time);
+  if (pinned != world.pinned) build_pinned_parts(world, std::move(pinned));
+}
+
+Vec3 pin_position(const Pin& pin, std::size_t i, double time) {
+  if (!pin.motion) return pin.starts[i];
+  const RigidPose pose = pose_at(*pin.motion, time);
+  return pin.centroid + pose(pin.starts[i] - pin.centroid);
+}
+
+}  // namespace drape

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include "contact/contact_geometry.h"
+#include "contact/contact_step.h"
+#include "deformation/elastic_model.h"
+#include "deformation/momentum.h"
+#include "deformation/sheet.h"
+#include "simulation/input.h"
+#include "simulation/simulation.h"
+
+namespace drape {
+
+// One pin: where its vertices started, and how they go on.
+struct Pin {
+  std::vector<int> vertices;  // of the simulation
+  std::vector<Vec3> starts;
+  Vec3 centroid;
+  std::optional<RigidMotion> motion;
+  std::optional<double> until;  // seconds
+};
+
+// What is fixed once built (the part that depends on the pins is rebuilt when one lets go).
+struct World {
+  SimulationInput input;
+  int steps_per_frame = 1;
+  double step = 0;  // seconds
+
+  Sheet sheet;  // all cloths as one mesh
+  std::vector<double> masses;
+  std::vector<Pin> pins;
+  std::vector<std::vector<Vec3>> collider_points;  // of each collider, in its own frame
+  ContactGeometry geometry;
+  ContactSettings contact_settings;
+
+  std::vector<char> pinned;
+  ElasticModel elastic;
+  std::vector<FreePiece> free_pieces;
+};
+
+World build_world(SimulationInput input);
+State initial_state(const World& world);
+
+// Brings all that depends on which pins hold up to `time`; does nothing where none has changed.
+void update_pins(World& world, double time);
+
+Vec3 pin_position(const Pin& pin, std::size_t i, double time);
+
+}  // namespace drape
