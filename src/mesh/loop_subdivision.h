@@ -9,7 +9,9 @@
 namespace drape {
 
 // Loop's subdivision as an operator that is built once for a mesh and applied to each frame. The only file pair
-// that includes OpenSubdiv. Boundaries stay where their edges are (edge-and-corner interpolation).
+// that includes OpenSubdiv. Boundaries become smooth curves of their own (edge-and-corner interpolation), but corners
+// of the sheet at rest, where `mesh` turns by more than 70 degrees, stay sharp. Needs a mesh that check_manifold
+// accepts.
 class LoopSubdivision {
  public:
   LoopSubdivision(const TriangleMesh& mesh, int levels);  // 0 to 4
@@ -26,7 +28,8 @@ class LoopSubdivision {
   std::unique_ptr<Tables> tables_;
 };
 
-// Normals of unit length at the points, weighted by angle and area of the triangles round them.
+// Normals of unit length at the points: of the triangles round them, the short-sided ones weigh more. (0, 1, 0)
+// where there is none.
 std::vector<Vec3f> vertex_normals(const std::vector<Vec3f>& positions, const std::vector<Triangle>& triangles);
 
 }  // namespace drape

@@ -1,0 +1,17 @@
+#pragma once
+
+// The only file pair that includes assimp. assimp crashes or hangs on malformed files: call this only in a
+// process that may die (mesh/import_process.h).
+
+#include <filesystem>
+
+#include "mesh/polygon_soup.h"
+
+namespace drape {
+
+// All meshes of the file, placed as its nodes place them, in its own units and pose of rest. It may refer to
+// regular files in its own folder or below, and to no others. Throws std::runtime_error in words for the
+// user.
+PolygonSoup import_with_assimp(const std::filesystem::path& path);
+
+}  // namespace drape

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+
+namespace drape {
+
+// Polygons as files hold them: of any number of corners, with points that may be repeated.
+struct PolygonSoup {
+  std::vector<Vec3> points;
+  std::vector<Vec2> uvs;
+  std::vector<int> corner_points;  // indices into points, polygon after polygon
+  std::vector<int> corner_uvs;     // indices into uvs, one for each corner; or empty
+  std::vector<int> polygon_ends;   // the number of corners up to and with each polygon
+};
+
+// One mesh of it: polygons cut into fans round their first corner, points of equal position made one (the
+// first), triangles dropped that thereby lose their third corner (exporters write the poles of spheres so).
+// Needs indices in range and finite points.
+TriangleMesh weld(const PolygonSoup& soup);
+
+}  // namespace drape

@@ -1,0 +1,75 @@
+#include "mesh/polygon_soup_stream.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+#include "mesh/limits.h"
+
+namespace drape {
+
+template <typename Item>
+static void append(const std::vector<Item>& items, std::string& bytes) {
+  const std::uint64_t count = items.size();
+  bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
+  bytes.append(reinterpret_cast<const char*>(items.data()), items.size() * sizeof(Item));
+}
+
+std::string to_bytes(const PolygonSoup& soup) {
+  std::string bytes;
+  append(soup.points, bytes);
+  append(soup.uvs, bytes);
+  append(soup.corner_points, bytes);
+  append(soup.corner_uvs, bytes);
+  append(soup.polygon_ends, bytes);
+  return bytes;
+}
+
+template <typename Item>
+static bool take(std::string_view& bytes, std::size_t most, std::vector<Item>& items) {
+  std::uint64_t count = 0;
+  if (bytes.size() < sizeof count) return false;
+  std::memcpy(&count, bytes.data(), sizeof count);
+  bytes.remove_prefix(sizeof count);
+  if (count > most || count > bytes.size() / sizeof(Item)) return false;
+  items.resize(count);
+  if (count > 0) std::memcpy(static_cast<void*>(items.data()), bytes.data(), count * sizeof(Item));
+  bytes.remove_prefix(count * sizeof(Item));
+  return true;
+}
+
+static bool all_under(const std::vector<int>& indices, std::size_t count) {
+  return std::all_of(indices.begin(), indices.end(),
+                     [&](int i) { return i >= 0 && static_cast<std::size_t>(i) < count; });
+}
+
+template <typename Vectors>
+static bool all_usable(const Vectors& vectors) {
+  return std::all_of(vectors.begin(), vectors.end(), [](const auto& vector) {
+    return std::all_of(vector.begin(), vector.end(), is_usable_coordinate);
+  });
+}
+
+static bool has_whole_polygons(const PolygonSoup& soup) {
+  std::int64_t begin = 0;
+  for (const int end : soup.polygon_ends) {
+    if (end < begin + 3) return false;
+    begin = end;
+  }
+  return static_cast<std::size_t>(begin) == soup.corner_points.size();
+}
+
+std::optional<PolygonSoup> soup_from_bytes(std::string_view bytes) {
+  PolygonSoup soup;
+  const bool complete = take(bytes, most_points, soup.points) && take(bytes, most_corners, soup.uvs) &&
+                        take(bytes, most_corners, soup.corner_points) &&
+                        take(bytes, most_corners, soup.corner_uvs) &&
+                        take(bytes, most_corners, soup.polygon_ends) && bytes.empty();
+  if (!complete || !all_usable(soup.points) || !all_usable(soup.uvs)) return std::nullopt;
+  if (!soup.corner_uvs.empty() && soup.corner_uvs.size() != soup.corner_points.size()) return std::nullopt;
+  if (!all_under(soup.corner_points, soup.points.size())) return std::nullopt;
+  if (!all_under(soup.corner_uvs, soup.uvs.size()) || !has_whole_polygons(soup)) return std::nullopt;
+  return soup;
+}
+
+}  // namespace drape

@@ -1,0 +1,154 @@
+#include <fcntl.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "core/error.h"
+#include "mesh/import_process.h"
+#include "mesh/manifold.h"
+#include "mesh/measure.h"
+#include "mesh/mesh_bytes.h"
+#include "mesh/mesh_file.h"
+#include "mesh/primitives.h"
+#include "temporary_folder.h"
+
+namespace drape {
+namespace {
+
+using test::TemporaryFolder;
+
+std::string stl_of(const TriangleMesh& mesh) {
+  std::string text = "solid box\n";
+  for (const Triangle& triangle : mesh.triangles) {
+    text += "facet normal 0 0 0\nouter loop\n";
+    for (const int i : triangle) {
+      const Vec3& p = mesh.positions[i];
+      text += "vertex " + std::to_string(p.x()) + " " + std::to_string(p.y()) + " " + std::to_string(p.z()) +
+              "\n";
+    }
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid box\n";
+}
+
+std::string refusal(const std::filesystem::path& path) {
+  try {
+    read_mesh(path);
+    return "accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.exit_status(), 3);
+    return error.what();
+  }
+}
+
+TEST(ImportProcess, StlComesInWelded) {
+  const TemporaryFolder folder;
+  const TriangleMesh mesh = read_mesh(folder.write("box.stl", stl_of(make_box({1, 2, 3}))));
+  EXPECT_EQ(mesh.positions.size(), 8u);
+  EXPECT_EQ(mesh.triangles.size(), 12u);
+  EXPECT_EQ(check_manifold(mesh), std::vector<std::string>{});
+  EXPECT_NEAR(test::volume(mesh), 6, 1e-6);
+}
+
+// One triangle whose points are in a file of their own, moved by (0, 0, 5).
+std::string gltf_with_buffer(const std::string& uri) {
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+    "nodes":[{"mesh":0,"translation":[0,0,5]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+    "buffers":[{"uri":")" +
+         uri + R"(","byteLength":36}],"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":36}],
+    "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}]})";
+}
+
+std::string triangle_bytes() {
+  const float points[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  return {reinterpret_cast<const char*>(points), sizeof points};
+}
+
+TEST(ImportProcess, GltfWithItsBufferBesideIt) {
+  const TemporaryFolder folder;
+  folder.write("parts/points.bin", triangle_bytes());
+  const TriangleMesh mesh = read_mesh(folder.write("a.gltf", gltf_with_buffer("parts/points.bin")));
+  EXPECT_EQ(mesh.positions, (std::vector<Vec3>{{0, 0, 5}, {1, 0, 5}, {0, 1, 5}}));
+}
+
+TEST(ImportProcess, GltfMustNotLeaveItsFolder) {
+  const TemporaryFolder folder;
+  folder.write("secret.bin", triangle_bytes());
+  const std::string words = refusal(folder.write("inside/a.gltf", gltf_with_buffer("../secret.bin")));
+  EXPECT_NE(words.find("a.gltf: error: cannot be imported: "), words.npos) << words;
+  EXPECT_NE(words.find("secret.bin, which is not a regular file in its own folder"), words.npos) << words;
+  EXPECT_NE(refusal(folder.write("inside/b.gltf", gltf_with_buffer("/etc/passwd"))), "accepted");
+  EXPECT_NE(refusal(folder.write("inside/c.gltf", gltf_with_buffer("../../../../../../etc/passwd"))),
+            "accepted");
+}
+
+TEST(ImportProcess, LinksDoNotLeadOutOfTheFolder) {
+  const TemporaryFolder folder;
+  folder.write("secret.bin", triangle_bytes());
+  const auto path = folder.write("inside/a.gltf", gltf_with_buffer("link.bin"));
+  std::filesystem::create_symlink(folder / "secret.bin", folder / "inside/link.bin");
+  EXPECT_NE(refusal(path), "accepted");
+}
+
+TEST(ImportProcess, DevicesAreNotOpened) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("a.gltf", gltf_with_buffer("zero.bin"));
+  std::filesystem::create_symlink("/dev/zero", folder / "zero.bin");
+  EXPECT_NE(refusal(path), "accepted");
+}
+
+TEST(ImportProcess, UnknownEnding) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("a.cloth", "anything");
+  EXPECT_EQ(refusal(path),
+            path.string() +
+                ": error: cannot be imported: '.cloth' is the ending of no format of meshes that can "
+                "be read; use .obj, .ply, .stl or .glb");
+}
+
+TEST(ImportProcess, GarbageIsRefused) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.stl", "a.glb", "a.fbx", "a.dae", "a.3ds", "a.blend", "a.off"})
+    EXPECT_NE(refusal(folder.write(name, "garbage \x01\x02\xff")), "accepted") << name;
+}
+
+// A node that is its own child: assimp 5.2 recurses until its stack is full. Later versions may see it.
+TEST(ImportProcess, AFileThatCrashesTheImporter) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("a.gltf", R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+    "nodes":[{"children":[0]}]})");
+  EXPECT_TRUE(refusal(path).starts_with(path.string() + ": error: ")) << refusal(path);
+}
+
+// Damaged binary PLY files are known to crash assimp 5.2.
+TEST(ImportProcess, DamagedFilesAreReadOrRefused) {
+  const TemporaryFolder folder;
+  const std::string original = test::square_binary_ply(false);
+  for (std::size_t at = 0; at < original.size(); at += 5) {
+    std::string damaged = original;
+    damaged[at] = static_cast<char>(damaged[at] + 1);
+    const auto path = folder.write("a.ply", damaged);
+    try {
+      import_in_child(path);
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.exit_status(), 3);
+    }
+  }
+}
+
+TEST(ImportProcess, AChildDoesNotStartChildren) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("box.stl", stl_of(make_box({1, 1, 1})));
+  ::setenv("DRAPE_IMPORT_CHILD", "1", 1);
+  EXPECT_THROW(read_mesh(path), FileError);
+  ::unsetenv("DRAPE_IMPORT_CHILD");
+}
+
+TEST(ImportProcess, OtherProcessesAreNoChildren) {
+  const char* const arguments[] = {"drape", "import-mesh", "a.stl"};
+  EXPECT_FALSE(run_import_child(3, arguments));
+  EXPECT_FALSE(run_import_child(1, arguments));
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,103 @@
+#include "mesh/polygon_soup.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "mesh/polygon_soup_stream.h"
+
+namespace drape {
+namespace {
+
+// Two triangles of an STL file: no point is shared.
+PolygonSoup separate_triangles() {
+  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, -0.0}},
+          {},
+          {0, 1, 2, 3, 4, 5},
+          {},
+          {3, 6}};
+}
+
+TEST(Weld, EqualPositionsBecomeThePointThatCameFirst) {
+  const TriangleMesh mesh = weld(separate_triangles());
+  EXPECT_EQ(mesh.positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}));
+  EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}}));
+}
+
+TEST(Weld, ZeroHasNoSign) {
+  PolygonSoup soup = separate_triangles();
+  for (int i = 3; i < 6; ++i) soup.points[i].z() = -0.0;
+  EXPECT_EQ(weld(soup).positions.size(), 4u);
+}
+
+TEST(Weld, SeamsOfTheTextureStay) {
+  PolygonSoup soup = separate_triangles();
+  soup.corner_uvs = soup.corner_points;
+  soup.uvs.resize(6, Vec2(0.5, 0.5));
+  const TriangleMesh mesh = weld(soup);
+  EXPECT_EQ(mesh.positions.size(), 4u);
+  EXPECT_EQ(mesh.uv_triangles, (std::vector<Triangle>{{0, 1, 2}, {3, 4, 5}}));
+}
+
+TEST(Weld, PolygonsBecomeFans) {
+  const PolygonSoup soup{
+      {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}}, {}, {4, 0, 1, 2, 3}, {}, {5}};
+  EXPECT_EQ(weld(soup).triangles, (std::vector<Triangle>{{4, 0, 1}, {4, 1, 2}, {4, 2, 3}}));
+}
+
+TEST(Weld, TrianglesThatCollapseAreDropped) {
+  PolygonSoup soup = separate_triangles();
+  soup.points[5] = soup.points[3];
+  soup.corner_uvs = soup.corner_points;
+  soup.uvs.resize(6, Vec2(0, 0));
+  const TriangleMesh mesh = weld(soup);
+  EXPECT_EQ(mesh.triangles.size(), 1u);
+  EXPECT_EQ(mesh.uv_triangles.size(), 1u);
+}
+
+TEST(SoupStream, ComesBackTheSame) {
+  PolygonSoup soup = separate_triangles();
+  soup.uvs = {{0, 1}};
+  soup.corner_uvs = {0, 0, 0, 0, 0, 0};
+  const auto same = soup_from_bytes(to_bytes(soup));
+  ASSERT_TRUE(same);
+  EXPECT_EQ(same->points, soup.points);
+  EXPECT_EQ(same->uvs, soup.uvs);
+  EXPECT_EQ(same->corner_points, soup.corner_points);
+  EXPECT_EQ(same->corner_uvs, soup.corner_uvs);
+  EXPECT_EQ(same->polygon_ends, soup.polygon_ends);
+}
+
+TEST(SoupStream, RefusesEveryTruncation) {
+  const std::string bytes = to_bytes(separate_triangles());
+  for (std::size_t size = 0; size < bytes.size(); ++size)
+    EXPECT_FALSE(soup_from_bytes(bytes.substr(0, size)));
+  EXPECT_FALSE(soup_from_bytes(bytes + '\0'));
+}
+
+TEST(SoupStream, RefusesWhatMakesNoSense) {
+  const auto refuses = [](auto change) {
+    PolygonSoup soup = separate_triangles();
+    change(soup);
+    return !soup_from_bytes(to_bytes(soup));
+  };
+  EXPECT_TRUE(refuses([](PolygonSoup& soup) { soup.points[0].x() = NAN; }));
+  EXPECT_TRUE(refuses([](PolygonSoup& soup) { soup.points[0].x() = 1e30; }));
+  EXPECT_TRUE(refuses([](PolygonSoup& soup) { soup.corner_points[2] = 6; }));
+  EXPECT_TRUE(refuses([](PolygonSoup& soup) { soup.corner_points[2] = -1; }));
+  EXPECT_TRUE(refuses([](PolygonSoup& soup) { soup.corner_uvs = {0}; }));
+  EXPECT_TRUE(refuses([](PolygonSoup& soup) { soup.corner_uvs = {0, 0, 0, 0, 0, 0}; }));
+  EXPECT_TRUE(refuses([](PolygonSoup& soup) { soup.polygon_ends = {2, 6}; }));
+  EXPECT_TRUE(refuses([](PolygonSoup& soup) { soup.polygon_ends = {3}; }));
+  EXPECT_TRUE(refuses([](PolygonSoup& soup) { soup.polygon_ends = {6, 3}; }));
+}
+
+TEST(SoupStream, RefusesACountThatWouldNotFit) {
+  std::string bytes = to_bytes(separate_triangles());
+  const std::uint64_t huge = ~std::uint64_t{0} / 8;
+  std::memcpy(bytes.data(), &huge, sizeof huge);
+  EXPECT_FALSE(soup_from_bytes(bytes));
+}
+
+}  // namespace
+}  // namespace drape
