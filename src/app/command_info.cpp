@@ -47,7 +47,7 @@ static void print_time(const SceneDescription& scene, const SceneSize& size) {
   print_result(fmt::format("frames     {}-{} at {} a second ({:.2f} s)", scene.time.first_frame,
                            scene.time.last_frame, scene.time.fps, size.frames / scene.time.fps));
   print_result(fmt::format("steps      {} a frame, {} in all", size.steps_per_frame,
-                           size.steps_per_frame * (size.frames - 1)));
+                           size.steps_per_frame * scene.time.last_frame));
 }
 
 // The start of a run knows nothing of its contacts: these figures say hours or minutes, no more.
@@ -55,7 +55,7 @@ static void print_estimate(const SceneDescription& scene, const SceneSize& size)
   const render::Settings picture = picture_settings(scene.render);
   const double pixels = static_cast<double>(picture.width) * picture.height;
   const double simulation = cpu_seconds_per_point_step * static_cast<double>(size.points) *
-                            size.steps_per_frame * (size.frames - 1);
+                            size.steps_per_frame * scene.time.last_frame;
   const double pictures = cpu_seconds_per_pixel_pass * pixels * picture.passes * size.frames;
   const double memory =
       bytes_at_start + bytes_per_point * static_cast<double>(size.points) + bytes_per_pixel * pixels;

@@ -197,11 +197,12 @@ static void add_diff(Subcommands& commands, Options& options) {
       ->required()
       ->expected(2)
       ->type_name("A B");
-  command
-      .add_option("--tolerance", options.diff.tolerance, "Steps of 1/255 that a channel may differ by", true)
-      ->check(CLI::Range(0, 255));
-  command.add_option("--share", options.diff.share, "Share of the pixels that may differ by more", true)
-      ->check(CLI::Range(0.0, 1.0));
+  command.add_option("--tolerance", options.diff.tolerance, "Steps of 1/255 that a channel may differ by")
+      ->check(CLI::Range(0, 255))
+      ->capture_default_str();
+  command.add_option("--share", options.diff.share, "Share of the pixels that may differ by more")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   command.add_option("--heat", options.diff.heat, "Write a heat map here (for folders: into this folder)")
       ->type_name("PATH");
 }

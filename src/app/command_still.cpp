@@ -19,8 +19,8 @@ static int only_frame(const Run& run, const Options& options) {
 int still_command(const Options& options, const Console&) {
   const Run run = open_run(options.inputs.front(), options.overrides, "");
   const int frame = only_frame(run, options);
-  const std::filesystem::path target =
-      options.output.empty() ? run.folder.root / ("still_" + frame_file_name(frame, ".png")) : options.output;
+  std::filesystem::path target = options.output;
+  if (target.empty()) target = run.folder.root / ("still_" + frame_file_name(frame, ".png"));
   render::write_png(target, draw_frame(run, frame));
   print_result(target.string());
   return static_cast<int>(ExitStatus::done);

@@ -6,6 +6,7 @@
 #include "app/exit_status.h"
 #include "app/failure.h"
 #include "app/interrupt.h"
+#include "mesh/import_process.h"
 
 namespace drape::app {
 
@@ -37,4 +38,8 @@ static int run_program(int argument_count, const char* const* arguments) {
 
 }  // namespace drape::app
 
-int main(int argument_count, char** arguments) { return drape::app::run_program(argument_count, arguments); }
+// The program starts itself anew to read the meshes that it must not trust itself with.
+int main(int argument_count, char** arguments) {
+  if (const auto status = drape::run_import_child(argument_count, arguments)) return *status;
+  return drape::app::run_program(argument_count, arguments);
+}

@@ -41,8 +41,10 @@ static FrameStatistics statistics_from(const Json& json) {
   statistics.p99_stretch = json.at("p99_stretch");
   statistics.smallest_stretch = json.at("smallest_stretch");
   statistics.contacts = json.at("contacts");
+  statistics.limited_vertices = json.at("limited_vertices");
   statistics.kinetic_energy = json.at("kinetic_energy");
   statistics.largest_speed = json.at("largest_speed");
+  statistics.largest_lag = json.at("largest_lag");
   statistics.profile = profile_from(json.at("cpu_ms"));
   return statistics;
 }

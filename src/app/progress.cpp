@@ -14,13 +14,13 @@ std::string format_duration(double seconds) {
 }
 
 double seconds_left(const ProgressState& state) {
-  if (state.done == 0) return -1;
-  return state.elapsed_seconds / state.done * (state.total - state.done);
+  if (state.done <= state.before) return -1;
+  return state.elapsed_seconds / (state.done - state.before) * (state.total - state.done);
 }
 
 static std::string time_text(const ProgressState& state) {
   if (state.done == state.total) return format_duration(state.elapsed_seconds);
-  return state.done == 0 ? "" : format_duration(seconds_left(state)) + " left";
+  return state.done == state.before ? "" : format_duration(seconds_left(state)) + " left";
 }
 
 std::string progress_text(const ProgressState& state) {
@@ -41,8 +41,11 @@ std::string progress_json(const ProgressState& state) {
                      std::max(0.0, seconds_left(state)), std::max(0, state.contacts));
 }
 
-Progress::Progress(const Console& console, const std::string& stage, int total) : console_(console) {
+Progress::Progress(const Console& console, const std::string& stage, int total, int before)
+    : console_(console), shown_done_(before) {
   state_.stage = stage;
+  state_.before = before;
+  state_.done = before;
   state_.total = total;
 }
 

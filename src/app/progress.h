@@ -10,7 +10,8 @@ namespace drape::app {
 // How far a stage is.
 struct ProgressState {
   std::string stage;  // "simulate"
-  int done = 0;
+  int before = 0;     // was done by an earlier run
+  int done = 0;       // with what was done before
   int total = 0;
   double elapsed_seconds = 0;
   int contacts = -1;  // -1: the stage has none
@@ -19,7 +20,7 @@ struct ProgressState {
 // "0:07", "12:30", "1:02:05".
 std::string format_duration(double seconds);
 
-// The time that the rest takes if it goes on as so far; negative while nothing is done.
+// The time that the rest takes if it goes on as so far; negative while that is not known.
 double seconds_left(const ProgressState& state);
 
 std::string progress_text(const ProgressState& state);  // "simulate  12/120  345 contacts  0:30 left"
@@ -29,7 +30,7 @@ std::string progress_json(const ProgressState& state);
 // Shows on stderr how far a stage is, in the console's style, and no more often than is of use.
 class Progress {
  public:
-  Progress(const Console& console, const std::string& stage, int total);
+  Progress(const Console& console, const std::string& stage, int total, int before = 0);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;

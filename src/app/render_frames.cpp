@@ -38,11 +38,11 @@ struct Job {
   Progress& progress;
   std::atomic<std::size_t> next = 0;
   std::atomic<bool> failed = false;
-  std::mutex mutex;  // guards what follows, and the progress
+  std::mutex mutex{};  // guards what follows, and the progress
   int finished = 0;
   int drawn = 0;
-  std::map<int, std::uint64_t> picture_hashes;
-  std::exception_ptr failure;
+  std::map<int, std::uint64_t> picture_hashes{};
+  std::exception_ptr failure{};
 };
 
 }  // namespace

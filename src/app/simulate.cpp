@@ -18,14 +18,9 @@
 namespace drape::app {
 namespace fs = std::filesystem;
 
-// The scene's number of the frame that a state is.
-static int frame_number(const Run& run, const State& state) {
-  return run.scene.time.first_frame + state.frame;
-}
-
 // Whether every frame up to the state's is in the cache, whole and made from this scene.
 static bool cache_reaches(const Run& run, const State& state) {
-  for (int frame = run.scene.time.first_frame; frame <= frame_number(run, state); ++frame) {
+  for (int frame = run.scene.time.first_frame; frame <= state.frame; ++frame) {
     if (!run.manifest.frames.contains(frame)) return false;
     try {
       const CachedFrame cached = read_cached_frame(run.folder.cache(), run.manifest.fingerprint, frame);
@@ -37,10 +32,20 @@ static bool cache_reaches(const Run& run, const State& state) {
   return true;
 }
 
+// A damaged checkpoint is worth no more than none: what it held can be simulated again.
+static std::optional<State> find_checkpoint(const Run& run, const Console& console) {
+  try {
+    return read_checkpoint(run.folder.cache(), run.manifest.fingerprint);
+  } catch (const FileError& error) {
+    warn(console, error.what());
+    return std::nullopt;
+  }
+}
+
 // A checkpoint that nothing speaks against going on from.
 static std::optional<State> state_to_resume(const Run& run, const Options& options, const Console& console) {
   if (options.overwrite) return std::nullopt;
-  auto state = read_checkpoint(run.folder.cache(), run.manifest.fingerprint);
+  auto state = find_checkpoint(run, console);
   if (!state) return std::nullopt;
   if (run.manifest.build != program_build() && !options.resume) {
     note(console,
@@ -61,6 +66,16 @@ static void forget_earlier_work(Run& run) {
   if (error) throw FileError(run.folder.cache().string(), "cannot be removed: " + error.message());
 }
 
+static CachedFrame to_cached_frame(const State& state) {
+  CachedFrame frame;
+  frame.frame = state.frame;
+  frame.state_hash = state_hash(state);
+  frame.collider_poses = state.collider_poses;
+  frame.positions.reserve(state.positions.size());
+  for (const Vec3& position : state.positions) frame.positions.push_back(position.cast<float>());
+  return frame;
+}
+
 namespace {
 
 // Keeps what is on disk close behind the simulation. Each frame goes into the cache at once; the record and
@@ -71,9 +86,11 @@ class Keeper {
   explicit Keeper(Run& run) : run_(run) {}
 
   void keep(const State& state, const FrameStatistics& statistics) {
-    const CachedFrame frame = to_cache(state);
-    write_cached_frame(run_.folder.cache(), run_.manifest.fingerprint, frame);
-    run_.manifest.frames[frame.frame] = {frame.state_hash, statistics, 0};
+    if (state.frame >= run_.scene.time.first_frame) {
+      const CachedFrame frame = to_cached_frame(state);
+      write_cached_frame(run_.folder.cache(), run_.manifest.fingerprint, frame);
+      run_.manifest.frames[frame.frame] = {frame.state_hash, statistics, 0};
+    }
     if (Clock::now() - saved_ >= std::chrono::seconds(1)) save(state);
   }
 
@@ -86,16 +103,6 @@ class Keeper {
  private:
   using Clock = std::chrono::steady_clock;
 
-  CachedFrame to_cache(const State& state) const {
-    CachedFrame frame;
-    frame.frame = frame_number(run_, state);
-    frame.state_hash = state_hash(state);
-    frame.collider_poses = state.collider_poses;
-    frame.positions.reserve(state.positions.size());
-    for (const Vec3& position : state.positions) frame.positions.push_back(position.cast<float>());
-    return frame;
-  }
-
   Run& run_;
   Clock::time_point saved_ = Clock::now();
 };
@@ -107,41 +114,43 @@ static FrameStatistics advance(Simulation& simulation, const Run& run) {
     return simulation.advance_frame();
   } catch (const SimulationError& failure) {
     write_manifest(run.folder.manifest(), run.manifest);
-    throw SimulationError(fmt::format("frame {}: {}", frame_number(run, simulation.state()), failure.what()));
+    throw SimulationError(fmt::format("frame {}: {}", simulation.state().frame, failure.what()));
   }
 }
 
 static void advance_to_last_frame(Simulation& simulation, Run& run, const Console& console) {
-  const TimeSettings& time = run.scene.time;
-  Progress progress(console, "simulate", time.last_frame - time.first_frame + 1);
+  const int last = run.scene.time.last_frame;
+  Progress progress(console, "simulate", last, simulation.state().frame);
   Keeper keeper(run);
-  if (run.manifest.frames.empty()) keeper.keep(simulation.state(), FrameStatistics{});
-  while (frame_number(run, simulation.state()) < time.last_frame && stop_signal() == 0) {
+  if (simulation.state().frame == 0) keeper.keep(simulation.state(), FrameStatistics{});
+  while (simulation.state().frame < last && stop_signal() == 0) {
     const FrameStatistics statistics = advance(simulation, run);
     keeper.keep(simulation.state(), statistics);
-    progress.update(simulation.state().frame + 1, statistics.contacts);
+    progress.update(simulation.state().frame, statistics.contacts);
   }
   keeper.save(simulation.state());
+}
+
+static void simulate_from(std::optional<State> checkpoint, Run& run, const Console& console) {
+  const StageTimer timer(run.manifest.stages["simulate"]);
+  Simulation simulation(simulation_input(run.scene));
+  if (checkpoint) {
+    note(console, fmt::format("simulate  goes on after frame {}", checkpoint->frame));
+    simulation.restore(std::move(*checkpoint));
+  }
+  advance_to_last_frame(simulation, run, console);
 }
 
 void simulate(Run& run, const Options& options, const Console& console) {
   const ThreadLimit limit(options.threads);
   auto checkpoint = state_to_resume(run, options, console);
   if (!checkpoint) forget_earlier_work(run);
-  if (checkpoint && frame_number(run, *checkpoint) >= run.scene.time.last_frame) {
-    write_manifest(run.folder.manifest(), run.manifest);
-    return note(console, "simulate  every frame is in the cache already");
-  }
-  run.manifest.build = program_build();
-  run.manifest.threads = options.threads;
-  {
-    const StageTimer timer(run.manifest.stages["simulate"]);
-    Simulation simulation(simulation_input(run.scene));
-    if (checkpoint) {
-      note(console, fmt::format("simulate  goes on after frame {}", frame_number(run, *checkpoint)));
-      simulation.restore(std::move(*checkpoint));
-    }
-    advance_to_last_frame(simulation, run, console);
+  if (checkpoint && checkpoint->frame >= run.scene.time.last_frame) {
+    note(console, "simulate  every frame is in the cache already");
+  } else {
+    run.manifest.build = program_build();
+    run.manifest.threads = options.threads;
+    simulate_from(std::move(checkpoint), run, console);
   }
   write_manifest(run.folder.manifest(), run.manifest);
   throw_if_stopped();

@@ -6,8 +6,9 @@
 
 namespace drape::app {
 
-// Simulates the frames that the cache lacks, from the last checkpoint on where there is a fitting one. The
-// first frame of a scene is its start, before any step. Throws Interrupted after a checkpoint.
+// Simulates the frames that the cache lacks, from the last checkpoint on where there is a fitting one. Frame
+// 0 is the start, before any step; frames before the scene's first are simulated, but not kept. Throws
+// Interrupted after a checkpoint.
 void simulate(Run& run, const Options& options, const Console& console);
 
 }  // namespace drape::app

@@ -1,0 +1,21 @@
+cmake_minimum_required(VERSION 3.25)
+# Each third-party package is included by one file, or one pair of .h and .cpp: whoever replaces the package finds
+# all of its use there. fmt is exempt: text is made everywhere.
+set(packages Eigen/ oneapi/tbb xxhash.h zstd.h assimp/ opensubdiv/ GL/osmesa.h EGL/ png.h yaml-cpp/ CLI/ nlohmann/ spdlog/)
+
+file(GLOB_RECURSE sources ${ROOT}/src/*.h ${ROOT}/src/*.cpp ${ROOT}/render/*.h ${ROOT}/render/*.cpp)
+foreach(package IN LISTS packages)
+  set(users "")
+  foreach(source IN LISTS sources)
+    file(STRINGS ${source} includes REGEX "^#include <${package}")
+    if(includes)
+      string(REGEX REPLACE "\\.(h|cpp)$" "" stem ${source})
+      list(APPEND users ${stem})
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES users)
+  list(LENGTH users count)
+  if(count GREATER 1)
+    message(SEND_ERROR "<${package}> is included by more than one file: ${users}")
+  endif()
+endforeach()
