@@ -41,15 +41,14 @@ static Vec3f hemisphere(const Vec2f& square) {
   return {radius * std::cos(two_pi * square.y()), square.x(), radius * std::sin(two_pi * square.y())};
 }
 
-static int passes_below(int passes) { return passes < 2 ? 0 : std::max(1, passes / 5); }
+static SkySample sample_sky(int index, int count) {
+  return {hemisphere(lattice(index, count)), two_pi / static_cast<float>(count)};
+}
 
-static void sample_sky(int pass, int passes, PassSample& sample) {
-  const int below = passes_below(passes);
-  const bool is_below = pass < below;
-  const int count = is_below ? below : passes - below;
-  sample.sky_direction = hemisphere(lattice(is_below ? pass : pass - below, count));
-  if (is_below) sample.sky_direction.y() *= -1;
-  sample.sky_solid_angle = two_pi * static_cast<float>(passes) / static_cast<float>(count);
+static SkySample sample_below(int index, int count) {
+  SkySample sample = sample_sky(index, count);
+  sample.direction.y() *= -1;
+  return sample;
 }
 
 PassSample sample_pass(int pass, int passes) {
@@ -57,7 +56,10 @@ PassSample sample_pass(int pass, int passes) {
   const Vec2f pixel = lattice(shuffled(pass, passes, 0.382f), passes);
   sample.pixel_offset = {tent(pixel.x()), tent(pixel.y())};
   sample.sun_disc = disc(lattice(shuffled(pass, passes, 0.618f), passes));
-  sample_sky(pass, passes, sample);
+  const int upper = sky_directions - 1;
+  for (int i = 0; i < upper; ++i) sample.sky[i] = sample_sky(pass * upper + i, passes * upper);
+  sample.sky[upper] = sample_below(shuffled(pass, passes, 0.5f), passes);
+  for (SkySample& sky : sample.sky) sky.solid_angle *= static_cast<float>(passes);
   sample.jitter_phase = fraction(static_cast<float>(pass) * golden_ratio);
   return sample;
 }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <string>
+
 #include "core/vector.h"
 #include "render/light_projection.h"
 #include "render/pass_sequence.h"
@@ -10,20 +13,22 @@ namespace drape::render {
 struct PassUniforms {
   Mat4f clip_from_world;
   Mat4f sun_map_from_world;
-  Mat4f sky_map_from_world;
+  std::array<Mat4f, sky_directions> sky_map_from_world;
   Vec4f eye;
   Vec4f sun_direction;
   Vec4f sun_irradiance;
-  Vec4f sky_direction;
-  Vec4f sky_irradiance;
+  std::array<Vec4f, sky_directions> sky_direction;
+  std::array<Vec4f, sky_directions> sky_radiance;
+  Vec4f ground_radiance;
+  Vec4f sunlit_ground_radiance;
   Vec4f ground_fade;
 };
 
-// The two lights of a pass and how their maps look at the scene.
+// The lights of a pass and how their maps look at the scene.
 struct PassLights {
   Vec3f to_sun;
   LightProjection sun;
-  LightProjection sky;
+  std::array<LightProjection, sky_directions> sky;
 };
 
 PassLights aim_lights(const View& view, const PassSample& sample, const Sphere& casters, int sun_map_size,
@@ -31,6 +36,9 @@ PassLights aim_lights(const View& view, const PassSample& sample, const Sphere& 
 
 PassUniforms pass_uniforms(const View& view, const Settings& settings, const Sphere& scene,
                            const PassSample& sample, const PassLights& lights);
+
+// The constants that shaders/pass.glsl wants.
+std::string pass_defines();
 
 Vec3f linear_from_srgb(const Color& color);
 

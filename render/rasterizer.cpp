@@ -36,14 +36,15 @@ struct Rasterizer::State {
   ShaderProgram develop_program{gl, "", {"fullscreen.vert"}, {"noise.glsl", "develop.frag"}};
   GlObject no_attributes = make_vertex_array(gl);
   GlObject pass_block = make_buffer(gl);
-  RenderTarget sun_map = make_shadow_target(gl, sun_map_size);
-  RenderTarget sky_map = make_shadow_target(gl, sky_map_size);
+  RenderTarget sun_map = make_shadow_target(gl, sun_map_size, sun_map_size);
+  RenderTarget sky_map = make_shadow_target(gl, sky_directions* sky_map_size, sky_map_size);
   std::optional<PictureTargets> targets;
 
   State();
   ~State() { context.make_current(); }
   void fit_targets(int width, int height);
   void bind_texture(GLint unit, const RenderTarget& target) const;
+  void draw_shadow_maps(const SceneBuffers& scene, const PassLights& lights) const;
   void draw_pass(const SceneBuffers& scene, const View& view, const Settings& settings,
                  const PassSample& sample);
   void draw_fullscreen() const;
@@ -72,13 +73,22 @@ void Rasterizer::State::bind_texture(GLint unit, const RenderTarget& target) con
   gl.BindTexture(GL_TEXTURE_2D, target.texture.id());
 }
 
+void Rasterizer::State::draw_shadow_maps(const SceneBuffers& scene, const PassLights& lights) const {
+  bind_target(gl, sun_map);
+  gl.Clear(GL_DEPTH_BUFFER_BIT);
+  draw_depth(gl, depth_program, lights.sun.clip_from_world, scene);
+  bind_target(gl, sky_map);
+  gl.Clear(GL_DEPTH_BUFFER_BIT);
+  for (int i = 0; i < sky_directions; ++i) {
+    gl.Viewport(i * sky_map_size, 0, sky_map_size, sky_map_size);
+    draw_depth(gl, depth_program, lights.sky[i].clip_from_world, scene);
+  }
+}
+
 void Rasterizer::State::draw_pass(const SceneBuffers& scene, const View& view, const Settings& settings,
                                   const PassSample& sample) {
   const PassLights lights = aim_lights(view, sample, scene.bounds, sun_map_size, sky_map_size);
-  bind_target(gl, sun_map);
-  draw_depth(gl, depth_program, lights.sun.clip_from_world, scene);
-  bind_target(gl, sky_map);
-  draw_depth(gl, depth_program, lights.sky.clip_from_world, scene);
+  draw_shadow_maps(scene, lights);
   const PassUniforms uniforms = pass_uniforms(view, settings, scene.bounds, sample, lights);
   gl.BindBufferBase(GL_UNIFORM_BUFFER, pass_block_binding, pass_block.id());
   gl.BufferData(GL_UNIFORM_BUFFER, sizeof uniforms, &uniforms, GL_STREAM_DRAW);

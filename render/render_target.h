@@ -15,7 +15,7 @@ struct RenderTarget {
 };
 
 // Throw RenderError where the memory or the limits of OpenGL do not allow it.
-RenderTarget make_shadow_target(const GlFunctions& gl, int size);
+RenderTarget make_shadow_target(const GlFunctions& gl, int width, int height);
 RenderTarget make_picture_target(const GlFunctions& gl, GLint format, int width, int height);
 RenderTarget make_picture_target_with_depth(const GlFunctions& gl, GLint format, int width, int height);
 

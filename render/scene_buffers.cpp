@@ -12,7 +12,6 @@ SceneBuffers upload_scene(const GlFunctions& gl, const std::vector<Surface>& sur
 void draw_depth(const GlFunctions& gl, const ShaderProgram& depth_program, const Mat4f& clip_from_world,
                 const SceneBuffers& scene) {
   gl.Enable(GL_DEPTH_TEST);
-  gl.Clear(GL_DEPTH_BUFFER_BIT);
   gl.Enable(GL_POLYGON_OFFSET_FILL);
   gl.PolygonOffset(1, 1);
   depth_program.use();

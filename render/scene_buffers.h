@@ -19,7 +19,7 @@ struct SceneBuffers {
 
 SceneBuffers upload_scene(const GlFunctions& gl, const std::vector<Surface>& surfaces, const View& view);
 
-// Depth alone, into the bound target.
+// Depth alone, on top of what is in the bound target.
 void draw_depth(const GlFunctions& gl, const ShaderProgram& depth_program, const Mat4f& clip_from_world,
                 const SceneBuffers& scene);
 

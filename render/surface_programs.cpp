@@ -12,9 +12,10 @@ static std::string pattern_defines(Pattern pattern) {
 }
 
 static ShaderProgram make_program(const GlFunctions& gl, bool two_sided, Pattern pattern) {
+  const char* scattering = two_sided ? "cloth.glsl" : "solid.glsl";
   return ShaderProgram(
-      gl, pattern_defines(pattern), {"pass.glsl", "surface.vert"},
-      {"pass.glsl", "noise.glsl", "shadow.glsl", "pattern.glsl", two_sided ? "cloth.frag" : "solid.frag"});
+      gl, pass_defines() + pattern_defines(pattern), {"pass.glsl", "surface.vert"},
+      {"pass.glsl", "noise.glsl", "shadow.glsl", "pattern.glsl", scattering, "surface.frag"});
 }
 
 const ShaderProgram& SurfacePrograms::variant(const Surface& surface) {
@@ -40,7 +41,7 @@ void SurfacePrograms::use_for(const Surface& surface) {
 
 void SurfacePrograms::use_for(const Ground& ground) {
   if (!ground_) {
-    ground_.emplace(*gl_, "", ShaderProgram::Files{"pass.glsl", "surface.vert"},
+    ground_.emplace(*gl_, pass_defines(), ShaderProgram::Files{"pass.glsl", "surface.vert"},
                     ShaderProgram::Files{"pass.glsl", "noise.glsl", "shadow.glsl", "ground.frag"});
   }
   ground_->use();

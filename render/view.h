@@ -41,15 +41,16 @@ struct Camera {
 
 // A light from far away: the direction in which it shines, and the angle that it fills (softness of shadows).
 struct Sun {
-  Vec3f direction{-0.4f, -1.0f, -0.3f};
-  Color color{1.0f, 0.96f, 0.90f};
-  float intensity = 3.0f;
-  float size = 3;  // degrees
+  Vec3f direction{0.6f, -0.9f, -0.35f};
+  Color color{1.0f, 0.98f, 0.95f};
+  float intensity = 5.0f;
+  float size = 5;  // degrees
 };
 
-// Light from everywhere: a gradient above, and what the ground throws back.
+// Light from everywhere: a gradient above, and below it what the ground throws back (`ground` where none is
+// drawn; a ground that is drawn throws back its own light).
 struct Sky {
-  Color top{0.81f, 0.88f, 1.0f};
+  Color top{0.87f, 0.92f, 1.0f};
   Color horizon{0.95f, 0.95f, 0.96f};
   Color ground{0.42f, 0.40f, 0.38f};
   float intensity = 1.0f;

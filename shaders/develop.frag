@@ -9,9 +9,10 @@ layout(location = 0) out vec4 display;
 
 // After AgX (Sobotka 2022): colours drawn a little toward grey, so that strong light bleaches them; a sigmoid
 // over the logarithm of each channel; then drawn apart again.
-const float inset = 0.12;
+const float inset = 0.14;
+const float outset = 0.06;
 const float stops_below_grey = 10.0;
-const float stops_above_grey = 5.0;
+const float stops_above_grey = 3.2;
 const float grey = 0.18;
 const float grey_shown = 0.46;  // 0.18 in the sRGB encoding
 const float slope = 2.6;
@@ -47,12 +48,15 @@ vec3 srgb_from_linear(vec3 c) {
 vec3 tone_mapped(vec3 light) {
   vec3 soft = toward_grey(light, inset);
   vec3 encoded = vec3(shown(soft.r), shown(soft.g), shown(soft.b));
-  return clamp(toward_grey(linear_from_srgb(encoded), -inset), 0.0, 1.0);
+  return clamp(toward_grey(linear_from_srgb(encoded), -outset), 0.0, 1.0);
 }
+
+// At an exposure of 1, a white wall in the light that View has by default is shown just below white.
+const float exposure_of_one = 0.58;
 
 void main() {
   vec4 sum = texelFetch(picture, ivec2(gl_FragCoord.xy), 0);
-  vec3 seen = tone_mapped(exposure * sum.rgb / max(sum.a, 1e-6));
+  vec3 seen = tone_mapped(exposure_of_one * exposure * sum.rgb / max(sum.a, 1e-6));
   vec3 composed = mix(backdrop, seen, clamp(sum.a * share_of_pass, 0.0, 1.0));
   float half_step = (gradient_noise(gl_FragCoord.xy) - 0.5) / 255.0;
   display = vec4(srgb_from_linear(composed) + half_step, 1.0);

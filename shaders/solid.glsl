@@ -1,9 +1,3 @@
-in vec3 world_position;
-in vec3 world_normal;
-in vec2 surface_uv;
-
-layout(location = 0) out vec4 radiance;
-
 // Matte plastic: diffuse under a rough, thin gloss.
 const float gloss_alpha = 0.3;
 const float gloss_reflectance = 0.04;
@@ -25,15 +19,4 @@ vec3 scattered(vec3 albedo, vec3 normal, vec3 to_eye, vec3 to_light) {
   vec3 half_way = normalize(to_eye + to_light);
   float shine = gloss(n_l, n_v, max(dot(normal, half_way), 0.0), clamp(dot(to_light, half_way), 0.0, 1.0));
   return n_l * ((1.0 - gloss_reflectance) * albedo / pi + shine);
-}
-
-void main() {
-  vec3 normal = normalize(world_normal);
-  vec3 to_eye = normalize(eye.xyz - world_position);
-  vec3 albedo = surface_albedo(surface_uv, true);
-  vec3 scatter = pixel_scatter();
-  vec3 sun = sun_irradiance.rgb * sun_visibility(world_position, normal, scatter);
-  vec3 sky = sky_irradiance.rgb * sky_share(sky_visibility(world_position, normal, scatter), albedo);
-  radiance = vec4(sun * scattered(albedo, normal, to_eye, sun_direction.xyz) +
-                  sky * scattered(albedo, normal, to_eye, sky_direction.xyz), 1.0);
 }

@@ -1,9 +1,3 @@
-in vec3 world_position;
-in vec3 world_normal;
-in vec2 surface_uv;
-
-layout(location = 0) out vec4 radiance;
-
 uniform float sheen;
 uniform float translucency;
 
@@ -32,7 +26,8 @@ vec3 reflected(vec3 albedo, vec3 normal, vec3 to_eye, vec3 to_light) {
   float n_h = dot(normal, normalize(to_eye + to_light));
   float diffuse = max(n_l + wrap, 0.0) / ((1.0 + wrap) * (1.0 + wrap)) / pi;
   float kept = 1.0 - sheen * max(charlie_albedo(n_v), charlie_albedo(lit));
-  vec3 sheen_color = sheen * mix(vec3(1.0), sqrt(albedo), 0.6);
+  vec3 hue = albedo / max(max(albedo.r, albedo.g), max(albedo.b, 1e-3));
+  vec3 sheen_color = sheen * mix(vec3(1.0), hue, 0.75);
   return (1.0 - translucency) * kept * diffuse * albedo + sheen_color * charlie(lit, n_v, n_h) * lit;
 }
 
@@ -42,17 +37,4 @@ vec3 transmitted(vec3 albedo, vec3 normal, vec3 to_light) {
 
 vec3 scattered(vec3 albedo, vec3 normal, vec3 to_eye, vec3 to_light) {
   return reflected(albedo, normal, to_eye, to_light) + transmitted(albedo, normal, to_light);
-}
-
-void main() {
-  vec3 normal = normalize(gl_FrontFacing ? world_normal : -world_normal);
-  vec3 to_eye = normalize(eye.xyz - world_position);
-  vec3 albedo = surface_albedo(surface_uv, gl_FrontFacing);
-  vec3 scatter = pixel_scatter();
-  vec3 sun_side = dot(normal, sun_direction.xyz) < 0.0 ? -normal : normal;
-  vec3 sky_side = dot(normal, sky_direction.xyz) < 0.0 ? -normal : normal;
-  vec3 sun = sun_irradiance.rgb * sun_visibility(world_position, sun_side, scatter);
-  vec3 sky = sky_irradiance.rgb * sky_share(sky_visibility(world_position, sky_side, scatter), albedo);
-  radiance = vec4(sun * scattered(albedo, normal, to_eye, sun_direction.xyz) +
-                  sky * scattered(albedo, normal, to_eye, sky_direction.xyz), 1.0);
 }
