@@ -48,11 +48,11 @@ class ContentWriter {
     bytes_.append(reinterpret_cast<const char*>(&item), sizeof item);
   }
 
-  // Eigen's matrices are arrays of their coefficients, by columns.
-  template <typename Matrix>
-  void add_all(const std::vector<Matrix>& matrices) {
-    add<std::uint64_t>(matrices.size());
-    bytes_.append(reinterpret_cast<const char*>(matrices.data()), matrices.size() * sizeof(Matrix));
+  // Items are numbers, or Eigen's matrices: arrays of their coefficients, by columns.
+  template <typename Item>
+  void add_all(const std::vector<Item>& items) {
+    add<std::uint64_t>(items.size());
+    bytes_.append(reinterpret_cast<const char*>(items.data()), items.size() * sizeof(Item));
   }
 
   const std::string& bytes() const { return bytes_; }
@@ -72,12 +72,12 @@ class ContentReader {
     return take_bytes(&item, sizeof item);
   }
 
-  template <typename Matrix>
-  bool take_all(std::vector<Matrix>& matrices) {
+  template <typename Item>
+  bool take_all(std::vector<Item>& items) {
     std::uint64_t count = 0;
-    if (!take(count) || count > bytes_.size() / sizeof(Matrix)) return false;
-    matrices.resize(count);
-    return take_bytes(matrices.data(), count * sizeof(Matrix));
+    if (!take(count) || count > bytes_.size() / sizeof(Item)) return false;
+    items.resize(count);
+    return take_bytes(items.data(), count * sizeof(Item));
   }
 
   bool at_end() const { return bytes_.empty(); }
@@ -221,6 +221,8 @@ void write_checkpoint(const fs::path& folder, std::uint64_t fingerprint, const S
   content.add<std::int64_t>(state.frame);
   content.add_all(state.positions);
   content.add_all(state.velocities);
+  content.add_all(state.collider_points);
+  content.add_all(state.collider_times);
   content.add_all(state.collider_poses);
   write(checkpoint_path(folder), Kind::checkpoint, fingerprint, content.bytes());
 }
@@ -236,12 +238,13 @@ std::optional<State> read_checkpoint(const fs::path& folder, std::uint64_t finge
   ContentReader content(bytes);
   State state;
   std::int64_t frame = 0;
-  if (!content.take(frame) || !content.take_all(state.positions) || !content.take_all(state.velocities) ||
-      !content.take_all(state.collider_poses) || !content.at_end())
-    fail_damaged(path, "its sizes disagree");
-  if (frame < 0 || frame > std::numeric_limits<int>::max() ||
-      state.positions.size() != state.velocities.size())
-    fail_damaged(path, "its sizes disagree");
+  const bool whole = content.take(frame) && content.take_all(state.positions) &&
+                     content.take_all(state.velocities) && content.take_all(state.collider_points) &&
+                     content.take_all(state.collider_times) && content.take_all(state.collider_poses) &&
+                     content.at_end();
+  const bool makes_sense = whole && frame >= 0 && frame <= std::numeric_limits<int>::max() &&
+                           state.positions.size() == state.velocities.size();
+  if (!makes_sense) fail_damaged(path, "its sizes disagree");
   state.frame = static_cast<int>(frame);
   return state;
 }

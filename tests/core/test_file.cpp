@@ -1,0 +1,101 @@
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+
+#include "core/error.h"
+#include "core/file.h"
+#include "temporary_folder.h"
+
+namespace drape {
+namespace {
+
+namespace fs = std::filesystem;
+using test::TemporaryFolder;
+
+std::size_t entries(const fs::path& folder) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+template <typename Action>
+std::string failure(const Action& action) {
+  try {
+    action();
+    return "no failure";
+  } catch (const FileError& error) {
+    return error.what();
+  }
+}
+
+TEST(File, ComesBackByteForByte) {
+  const TemporaryFolder folder;
+  const std::string content("a\0b\r\n\xff", 6);
+  write_file(folder / "a", content);
+  EXPECT_EQ(read_file(folder / "a"), content);
+  write_file(folder / "a", "");
+  EXPECT_EQ(read_file(folder / "a"), "");
+  EXPECT_EQ(entries(folder.path()), 1u);
+}
+
+TEST(File, MissingFoldersAreMade) {
+  const TemporaryFolder folder;
+  write_file(folder / "x/y/z", "content");
+  EXPECT_EQ(read_file(folder / "x/y/z"), "content");
+}
+
+TEST(File, CannotBeRead) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(failure([&] { read_file(folder / "a"); }),
+            (folder / "a").string() + ": cannot be read: No such file or directory");
+  EXPECT_EQ(failure([&] { read_file(folder.path()); }), folder.path().string() + ": is a folder, not a file");
+}
+
+TEST(File, AFileIsNoFolder) {
+  const TemporaryFolder folder;
+  write_file(folder / "a", "old");
+  EXPECT_NE(failure([&] { write_file(folder / "a/b", "new"); }), "no failure");
+  EXPECT_EQ(read_file(folder / "a"), "old");
+}
+
+TEST(File, AFolderIsNotReplaced) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "a/b");
+  EXPECT_EQ(failure([&] { write_file(folder / "a", "new"); }),
+            (folder / "a").string() + ": cannot be written: Is a directory");
+  EXPECT_EQ(entries(folder.path()), 1u);
+}
+
+// A limit on the size of files stands in for a full disk.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limited{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limited);
+  }
+  ~FileSizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+TEST(File, AFailedWriteLeavesTheOldFile) {
+  const TemporaryFolder folder;
+  write_file(folder / "a", "old");
+  const std::string large(100000, 'x');
+  std::string words;
+  {
+    const FileSizeLimit full_disk(1000);
+    words = failure([&] { write_file(folder / "a", large); });
+  }
+  EXPECT_EQ(words, (folder / "a").string() + ": cannot be written: File too large");
+  EXPECT_EQ(read_file(folder / "a"), "old");
+  EXPECT_EQ(entries(folder.path()), 1u);
+}
+
+}  // namespace
+}  // namespace drape
