@@ -30,9 +30,20 @@ struct ClothDescription {
   Look look;
 };
 
+// What is solid lets no light through and has no fibres that scatter it.
+inline Look solid_look() {
+  const render::Color gray{0.72f, 0.71f, 0.70f};
+  Look look;
+  look.material.color = gray;
+  look.material.back = gray;
+  look.material.sheen = 0;
+  look.material.translucency = 0;
+  return look;
+}
+
 struct ColliderDescription {
   ColliderInput input;
-  Look look;
+  Look look = solid_look();
   bool visible = true;
 };
 
@@ -43,9 +54,9 @@ struct CameraDescription {
   // Where it is present, `at` is not used: a circle about the vertical through look_at.
   struct Orbit {
     double radius = 3;
-    double height = 1.5;   // over look_at
-    double start = 30;     // degrees from +z towards +x
-    double turns = 0;      // over all frames of the scene
+    double height = 1.5;  // over look_at
+    double start = 30;    // degrees from +z towards +x
+    double turns = 0;     // over all frames of the scene
   };
   std::optional<Orbit> orbit;
 };
@@ -63,7 +74,7 @@ struct RenderDescription {
 
 struct SceneDescription {
   std::string file;  // as the user named it
-  std::string name;
+  std::string name;  // one line without /, at most 100 bytes
   TimeSettings time;
   Vec3 gravity{0, -9.81, 0};
   WindInput wind;

@@ -1,0 +1,87 @@
+#include "scene/read_cloths.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mesh/primitives.h"
+#include "scene/read_look.h"
+#include "scene/read_mesh_key.h"
+#include "scene/read_motion.h"
+#include "scene/read_pins.h"
+#include "scene/section_values.h"
+
+namespace drape {
+namespace {
+
+// Opening a section reports what is missing in it, so what is read here is whole or already a problem.
+std::optional<TriangleMesh> read_grid(const Section& cloth, int& points_left) {
+  const std::size_t problems_before = cloth.problems->size();
+  const Section grid = open_section(cloth, "grid");
+  std::array<double, 2> size{1, 1};
+  std::array<int, 2> points{2, 2};
+  read_numbers(grid, "size", size);
+  read_numbers(grid, "points", points);
+  if (cloth.problems->size() > problems_before) return std::nullopt;
+  if (points[0] * points[1] > points_left) {
+    cloth.problems->add(find_value(grid, "points")->place,
+                        fmt::format("{}: the grids of a scene have at most {} points together",
+                                    path_of(grid, "points"), most_grid_points));
+    return std::nullopt;
+  }
+  points_left -= points[0] * points[1];
+  return make_grid(size, points);
+}
+
+std::optional<TriangleMesh> read_shape(const Section& cloth, const std::filesystem::path& scene_folder,
+                                       int& points_left) {
+  const std::string_view shape = exactly_one(cloth, "shape", {"grid", "mesh"});
+  if (shape == "grid") return read_grid(cloth, points_left);
+  if (shape == "mesh") return read_mesh_key(cloth, scene_folder);
+  return std::nullopt;
+}
+
+void read_material(const Section& cloth, ClothMaterial& material) {
+  const Section section = open_section(cloth, "material");
+  read_number(section, "density", material.density);
+  read_number(section, "thickness", material.thickness);
+  read_number(section, "stretch", material.stretch_stiffness);
+  read_number(section, "bend", material.bend_stiffness);
+  read_number(section, "damping", material.damping);
+  read_number(section, "friction", material.friction);
+}
+
+std::vector<Vec3> placed(const std::vector<Vec3>& points, const RigidMotion& place) {
+  const RigidPose pose = pose_at(place, 0);
+  std::vector<Vec3> result(points.size());
+  std::transform(points.begin(), points.end(), result.begin(), pose);
+  return result;
+}
+
+}  // namespace
+
+std::vector<ClothDescription> read_cloths(const Section& scene, const std::filesystem::path& scene_folder,
+                                          double fps) {
+  std::vector<ClothDescription> cloths;
+  int points_left = most_grid_points;
+  const Node* node = find_value(scene, "cloths");
+  if (node != nullptr && node->kind == Node::Kind::map && node->entries.empty())
+    scene.problems->add(node->place, "cloths is empty: a scene needs at least one");
+  for (const auto& [name, section] : open_named(scene, "cloths", most_cloths)) {
+    ClothDescription cloth;
+    cloth.input.name = name;
+    RigidMotion place;
+    read_place(section, place);
+    read_material(section, cloth.input.material);
+    read_look(section, cloth.look);
+    auto mesh = read_shape(section, scene_folder, points_left);
+    if (!mesh) continue;
+    cloth.input.start_positions = placed(mesh->positions, place);
+    cloth.input.mesh = std::move(*mesh);
+    cloth.input.pins = read_pins(section, cloth.input, fps);
+    cloths.push_back(std::move(cloth));
+  }
+  return cloths;
+}
+
+}  // namespace drape

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "scene/description.h"
+#include "scene/section.h"
+
+namespace drape {
+
+// The colliders of a scene. One with a mistake in its shape is left out, after its other keys have been
+// checked.
+std::vector<ColliderDescription> read_colliders(const Section& scene,
+                                                const std::filesystem::path& scene_folder, double fps);
+
+}  // namespace drape

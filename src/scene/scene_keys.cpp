@@ -1,0 +1,212 @@
+#include "scene/scene_keys.h"
+
+#include <array>
+
+namespace drape {
+namespace {
+
+using enum Quantity;
+
+constexpr Key section(std::string_view path, std::string_view help, std::string_view keys_under = {}) {
+  return {path, KeyKind::section, help, {}, 0, {}, keys_under};
+}
+constexpr Key of_kind(KeyKind kind, std::string_view path, std::string_view help) {
+  return {path, kind, help};
+}
+constexpr Key number(std::string_view path, Quantity quantity, double least, double greatest,
+                     std::string_view help) {
+  return {path, KeyKind::number, help, {quantity, least, greatest, false}};
+}
+constexpr Key whole(std::string_view path, double least, double greatest, std::string_view help) {
+  return {path, KeyKind::number, help, {plain, least, greatest, true}};
+}
+constexpr Key numbers(std::string_view path, int count, NumberRule rule, std::string_view help) {
+  return {path, KeyKind::numbers, help, rule, count};
+}
+constexpr Key choice(std::string_view path, std::span<const std::string_view> choices,
+                     std::string_view help) {
+  return {path, KeyKind::choice, help, {}, 0, choices};
+}
+constexpr Key keyframes(KeyKind kind, std::string_view path, NumberRule rule, std::string_view help) {
+  return {path, kind, help, rule};
+}
+constexpr Key required(Key key) {
+  key.required = true;
+  return key;
+}
+
+constexpr NumberRule position = {length, -1000, 1000};
+constexpr NumberRule size = {length, 0.001, 1000};
+constexpr NumberRule turn = {angle, -36'000, 36'000};
+
+constexpr std::array<std::string_view, 4> pattern_names = {"plain", "checker", "stripe", "tartan"};
+constexpr std::array<std::string_view, 3> quality_names = {"draft", "preview", "final"};
+
+constexpr Key general_keys[] = {
+    required(whole("version", 1, 1, "of this format")),
+    of_kind(KeyKind::text, "name", "default: the name of the file without its ending"),
+    of_kind(KeyKind::variables, "vars", "${name} stands for the value anywhere below"),
+    of_kind(KeyKind::files, "include", "merged deeply; the including file wins"),
+
+    section("time", "frames and steps"),
+    number("time.fps", plain, 1, 1000, "frames a second"),
+    of_kind(KeyKind::frame_range, "time.frames", "first-last, or how many from 1; frame 0 is the start"),
+    number("time.step", time, 1e-5, 0.1, "longest step; a frame is cut into equal steps"),
+
+    section("simulation", "the world"),
+    numbers("simulation.gravity", 3, {acceleration, -1000, 1000}, "[x, y, z]; +y is up"),
+    section("simulation.wind", "moving air"),
+    numbers("simulation.wind.velocity", 3, {speed, -100, 100}, "[x, y, z]"),
+    number("simulation.wind.drag", plain, 0, 100, "coefficient on the normal component"),
+    of_kind(KeyKind::boolean, "simulation.self_collision", "cloth against cloth"),
+};
+
+constexpr Key cloth_keys[] = {
+    required(of_kind(KeyKind::named, "cloths", "by name")),
+    section("cloths.*.grid", "a rectangle, flat, front upward, centred on its origin"),
+    required(numbers("cloths.*.grid.size", 2, size, "[along x, along z]")),
+    required(numbers("cloths.*.grid.points", 2, {plain, 2, 2000, true}, "[along x, along z]")),
+    of_kind(KeyKind::file, "cloths.*.mesh", "in place of a grid: a surface in metres"),
+    section("cloths.*.place", "where it starts", "place"),
+
+    section("cloths.*.material", "what it is made of"),
+    number("cloths.*.material.density", area_density, 0.001, 100, "mass per area"),
+    number("cloths.*.material.thickness", length, 1e-4, 0.1, "the distance that contact keeps"),
+    number("cloths.*.material.stretch", tension, 1, 1e6, "tension per width at a strain of 1"),
+    number("cloths.*.material.bend", flexural_rigidity, 0, 1, "flexural rigidity"),
+    number("cloths.*.material.damping", rate, 0, 1000, "the rate at which bending motion dies"),
+    number("cloths.*.material.friction", plain, 0, 10, "Coulomb's coefficient"),
+
+    of_kind(KeyKind::list, "cloths.*.pins", "vertices that are held; each by corner, box or vertices"),
+    of_kind(KeyKind::axis_signs, "cloths.*.pins.*.corner",
+            "the vertex nearest to that corner of the unplaced shape; an axis that is not named: its middle"),
+    section("cloths.*.pins.*.box", "the vertices in a box of the world, at the start"),
+    required(numbers("cloths.*.pins.*.box.from", 3, position, "[x, y, z], one corner")),
+    required(numbers("cloths.*.pins.*.box.to", 3, position, "[x, y, z], the opposite corner")),
+    of_kind(KeyKind::indices, "cloths.*.pins.*.vertices", "numbers of vertices, from 0"),
+    section("cloths.*.pins.*.animate", "turns about the centre of the vertices", "animate"),
+    whole("cloths.*.pins.*.until", 1, 100'000, "the frame from which the vertices are free"),
+    section("cloths.*.look", "how it is drawn", "look"),
+};
+
+constexpr Key collider_keys[] = {
+    of_kind(KeyKind::named, "colliders", "by name; each a plane, sphere, box, capsule or mesh"),
+    section("colliders.*.plane", "the ground: all below it is solid"),
+    number("colliders.*.plane.y", length, -1000, 1000, "its height"),
+    section("colliders.*.sphere", "centred on its origin"),
+    required(number("colliders.*.sphere.radius", length, 0.001, 1000, "")),
+    section("colliders.*.box", "centred on its origin"),
+    required(numbers("colliders.*.box.size", 3, size, "[along x, along y, along z]")),
+    section("colliders.*.capsule", "along y, centred on its origin"),
+    required(number("colliders.*.capsule.radius", length, 0.001, 1000, "")),
+    required(number("colliders.*.capsule.length", length, 0.001, 1000, "between the centres of its ends")),
+    of_kind(KeyKind::file, "colliders.*.mesh", "a surface in metres"),
+    section("colliders.*.place", "where it stands", "place"),
+    section("colliders.*.animate", "what is added to its place", "animate"),
+    number("colliders.*.friction", plain, 0, 10, "a contact uses the geometric mean of the two"),
+    of_kind(KeyKind::boolean, "colliders.*.visible", "false: it acts, but is not drawn"),
+    section("colliders.*.look", "how it is drawn", "look"),
+};
+
+constexpr Key shared_keys[] = {
+    numbers("place.at", 3, position, "[x, y, z] of its origin"),
+    numbers("place.rotate", 3, turn, "about x, then y, then z"),
+
+    keyframes(KeyKind::point_keyframes, "animate.translate", position, "[[frame, [x, y, z]], ...]"),
+    keyframes(KeyKind::keyframes, "animate.rotate_x", turn, "[[frame, angle], ...]"),
+    keyframes(KeyKind::keyframes, "animate.rotate_y", turn, "[[frame, angle], ...]"),
+    keyframes(KeyKind::keyframes, "animate.rotate_z", turn, "[[frame, angle], ...]"),
+
+    of_kind(KeyKind::color, "look.color", "\"#rrggbb\", \"#rgb\", or [r, g, b] from 0 to 1"),
+    of_kind(KeyKind::color, "look.back", "of the other side; default: color"),
+    of_kind(KeyKind::color, "look.accent", "the pattern's second colour"),
+    choice("look.pattern", pattern_names, ""),
+    number("look.scale", plain, 0.01, 1000, "repeats of the pattern along a side"),
+    number("look.sheen", plain, 0, 1, "light scattered at grazing angles by fibres"),
+    number("look.translucency", plain, 0, 1, "light that comes through"),
+    whole("look.subdivide", 0, 3, "levels of Loop subdivision, for drawing only"),
+};
+
+constexpr Key picture_keys[] = {
+    section("camera", "looks at a point, from a place or from a circle round it"),
+    numbers("camera.at", 3, position, "[x, y, z] of the eye; not used with orbit"),
+    numbers("camera.look_at", 3, position, "[x, y, z]"),
+    number("camera.fov", angle, 1, 150, "field of view, vertical"),
+    section("camera.orbit", "a circle about the vertical through look_at"),
+    number("camera.orbit.radius", length, 0.01, 1000, ""),
+    number("camera.orbit.height", length, -1000, 1000, "over look_at"),
+    number("camera.orbit.start", angle, -36'000, 36'000, "from +z towards +x"),
+    number("camera.orbit.turns", plain, -100, 100, "over all frames"),
+
+    of_kind(KeyKind::list, "lights", "one sun, one sky; what is not in the list is dark"),
+    section("lights.*.sun", "light from far away"),
+    numbers("lights.*.sun.direction", 3, {plain, -1000, 1000}, "[x, y, z] in which it shines"),
+    of_kind(KeyKind::color, "lights.*.sun.color", ""),
+    number("lights.*.sun.intensity", plain, 0, 1000, ""),
+    number("lights.*.sun.size", angle, 0, 90, "the angle that it fills: softness of shadows"),
+    section("lights.*.sky", "light from everywhere"),
+    of_kind(KeyKind::color, "lights.*.sky.top", ""),
+    of_kind(KeyKind::color, "lights.*.sky.horizon", ""),
+    of_kind(KeyKind::color, "lights.*.sky.ground", "what the ground throws back"),
+    number("lights.*.sky.intensity", plain, 0, 1000, ""),
+
+    section("render", "pictures and video"),
+    numbers("render.resolution", 2, {plain, 16, 8192, true}, "[width, height] in pixels"),
+    choice("render.quality", quality_names, ""),
+    number("render.exposure", plain, 0.001, 1000, "factor on all light"),
+    of_kind(KeyKind::color, "render.backdrop", "what is behind everything"),
+    section("render.video", "of the encoder"),
+    whole("render.video.crf", 0, 51, "constant rate factor: 0 is lossless, 51 the worst"),
+};
+
+// The parts one after another.
+constexpr auto all_keys = [] {
+  std::array<Key, std::size(general_keys) + std::size(cloth_keys) + std::size(collider_keys) +
+                      std::size(shared_keys) + std::size(picture_keys)>
+      keys;
+  std::size_t count = 0;
+  const auto append = [&](const auto& part) {
+    for (const Key& key : part) keys[count++] = key;
+  };
+  append(general_keys);
+  append(cloth_keys);
+  append(collider_keys);
+  append(shared_keys);
+  append(picture_keys);
+  return keys;
+}();
+
+// The name of a key that is listed under `section`; empty where the key is listed elsewhere.
+std::string_view name_under(std::string_view section, const Key& key) {
+  std::string_view name = key.path;
+  if (!section.empty()) {
+    if (!name.starts_with(section) || name.substr(section.size(), 1) != ".") return {};
+    name.remove_prefix(section.size() + 1);
+  }
+  return name.find('.') == std::string_view::npos ? name : std::string_view();
+}
+
+}  // namespace
+
+std::span<const Key> scene_keys() { return all_keys; }
+
+const Key* find_key(std::string_view section, std::string_view name) {
+  for (const Key& key : all_keys)
+    if (!name.empty() && name_under(section, key) == name) return &key;
+  return nullptr;
+}
+
+std::string keys_listed_under(const Key& key) {
+  if (!key.keys_under.empty()) return std::string(key.keys_under);
+  const bool has_items = key.kind == KeyKind::named || key.kind == KeyKind::list;
+  return std::string(key.path) + (has_items ? ".*" : "");
+}
+
+std::vector<std::string_view> key_names(std::string_view section) {
+  std::vector<std::string_view> names;
+  for (const Key& key : all_keys)
+    if (const std::string_view name = name_under(section, key); !name.empty()) names.push_back(name);
+  return names;
+}
+
+}  // namespace drape

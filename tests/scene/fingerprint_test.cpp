@@ -1,0 +1,54 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "scene/scene_text.h"
+
+namespace drape {
+
+static const std::string scene_text =
+    "version: 1\n"
+    "cloths: {a: {grid: {size: [1, 1], points: [3, 3]}, pins: [{corner: [-x, -z]}]}}\n"
+    "colliders: {c: {sphere: {radius: 1}}}\n";
+
+TEST(Fingerprint, ChangesWithAllThatTheMotionDependsOn) {
+  const std::vector<std::string> changes = {"time.fps=31",
+                                            "time.step=1 ms",
+                                            "simulation.gravity=[0, -9.8, 0]",
+                                            "simulation.wind.velocity=[0, 0, 1]",
+                                            "simulation.wind.drag=2",
+                                            "simulation.self_collision=false",
+                                            "cloths.a.grid.size=[1, 2]",
+                                            "cloths.a.grid.points=[3, 4]",
+                                            "cloths.a.place.at=[0, 1, 0]",
+                                            "cloths.a.material.density=0.3",
+                                            "cloths.a.material.thickness=0.006",
+                                            "cloths.a.material.stretch=6000",
+                                            "cloths.a.material.bend=0.001",
+                                            "cloths.a.material.damping=3",
+                                            "cloths.a.material.friction=0.4",
+                                            "cloths.a.pins=[]",
+                                            "cloths.a.pins.0.corner=[+x, -z]",
+                                            "cloths.a.pins.0.until=5",
+                                            "cloths.a.pins.0.animate={rotate_y: [[0, 0], [1, 1]]}",
+                                            "colliders={}",
+                                            "colliders.c.sphere.radius=2",
+                                            "colliders.c={box: {size: [1, 1, 1]}}",
+                                            "colliders.c.friction=0.5",
+                                            "colliders.c.place.rotate=[0, 0, 1]",
+                                            "colliders.c.animate.translate=[[0, [0, 0, 0]], [1, [0, 1, 0]]]"};
+  std::set<std::uint64_t> fingerprints = {simulation_fingerprint(load_text(scene_text))};
+  for (const std::string& change : changes)
+    EXPECT_TRUE(fingerprints.insert(simulation_fingerprint(load_text(scene_text, {change}))).second)
+        << change;
+}
+
+TEST(Fingerprint, IsTheSameForWhatIsOnlyDrawn) {
+  const auto fingerprint = simulation_fingerprint(load_text(scene_text));
+  for (const std::string change :
+       {"name=other", "time.frames=1-5", "cloths.a.look={color: '#fff', subdivide: 2}",
+        "colliders.c.visible=false", "camera.fov=20", "render.resolution=[64, 64]", "lights=[]"})
+    EXPECT_EQ(simulation_fingerprint(load_text(scene_text, {change})), fingerprint) << change;
+}
+
+}  // namespace drape

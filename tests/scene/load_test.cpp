@@ -1,0 +1,126 @@
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "scene/scene_text.h"
+
+namespace drape {
+
+static ClothInput cloth_with(const std::string& keys) {
+  const std::string text = "version: 1\ntime: {fps: 10}\ncloths: {a: {grid: {size: [2, 2], points: [3, 3]}, ";
+  return load_text(text + keys + "}}\n").cloths.at(0).input;
+}
+
+static ColliderInput collider_with(const std::string& keys) {
+  return load_text("time: {fps: 10}\n" + smallest_scene + "colliders: {c: {" + keys + "}}\n")
+      .colliders.at(0)
+      .input;
+}
+
+TEST(Load, NamesTheSceneAfterItsFile) { EXPECT_EQ(load_text(smallest_scene).name, "scene"); }
+
+TEST(Load, TakesFramesAsARangeOrACount) {
+  const auto range = load_text(smallest_scene + "time: {frames: 11-20}\n").time;
+  EXPECT_EQ(range.first_frame, 11);
+  EXPECT_EQ(range.last_frame, 20);
+  const auto count = load_text(smallest_scene + "time: {frames: 25}\n").time;
+  EXPECT_EQ(count.first_frame, 1);
+  EXPECT_EQ(count.last_frame, 25);
+}
+
+TEST(Load, PlacesTheStartAndNotTheRestShape) {
+  const ClothInput cloth = cloth_with("place: {at: [0, 5, 0], rotate: [90, 0, 0]}");
+  EXPECT_EQ(cloth.mesh.positions[0], Vec3(-1, 0, -1));
+  EXPECT_EQ(cloth.start_positions[0], Vec3(-1, 6, 0));  // what was -z is up
+}
+
+TEST(Load, FindsTheCornerOfTheShapeBeforeItIsPlaced) {
+  const std::string corner = "pins: [{corner: [-x, +z]}]";
+  EXPECT_EQ(cloth_with(corner).pins.at(0).vertices, std::vector{6});
+  EXPECT_EQ(cloth_with("place: {rotate: [0, 90, 0]}, " + corner).pins.at(0).vertices, std::vector{6});
+  EXPECT_EQ(cloth_with("pins: [{corner: [+x]}]").pins.at(0).vertices, std::vector{5});
+}
+
+TEST(Load, FindsTheVerticesOfABoxOfTheWorld) {
+  const ClothInput cloth =
+      cloth_with("place: {at: [0, 5, 0]}, pins: [{box: {from: [2, 4, 2], to: [0.5, 6, -2]}}]");
+  EXPECT_EQ(cloth.pins.at(0).vertices, (std::vector{2, 5, 8}));
+}
+
+TEST(Load, SortsVerticesAndDropsRepeats) {
+  EXPECT_EQ(cloth_with("pins: [{vertices: [4, 1, 4]}]").pins.at(0).vertices, (std::vector{1, 4}));
+}
+
+TEST(Load, CountsTheTimeOfPinsInFrames) {
+  const ClothInput cloth = cloth_with(
+      "pins: [{corner: [-x, -z], until: 20, animate: {translate: [[5, [0, 1, 0]], [10, [0, 2, 0]]]}}]");
+  const PinInput& pin = cloth.pins.at(0);
+  EXPECT_EQ(pin.until, 2.0);
+  ASSERT_TRUE(pin.motion);
+  EXPECT_EQ(pin.motion->translate[1], (Track{{0.5, 1}, {1, 2}}));
+  EXPECT_EQ(pin.motion->translate[0], (Track{{0.5, 0}, {1, 0}}));
+}
+
+TEST(Load, ReadsEveryShape) {
+  EXPECT_EQ(collider_with("plane: {y: 2}").motion.at.y(), 2);
+  EXPECT_EQ(std::get<SphereShape>(collider_with("sphere: {radius: 30 cm}").shape).radius, 0.3);
+  EXPECT_EQ(std::get<BoxShape>(collider_with("box: {size: [1, 2, 3]}").shape).size, Vec3(1, 2, 3));
+  const auto capsule = std::get<CapsuleShape>(collider_with("capsule: {radius: 1, length: 4}").shape);
+  EXPECT_EQ(capsule.radius, 1);
+  EXPECT_EQ(capsule.length, 4);
+}
+
+TEST(Load, ReadsTheMotionOfAColliders) {
+  const RigidMotion motion = collider_with(
+                                 "sphere: {radius: 1}, place: {at: [1, 2, 3], rotate: [0, 90, 0]}, "
+                                 "animate: {rotate_y: [[1, 0], [11, 180 deg]]}")
+                                 .motion;
+  EXPECT_EQ(motion.at, Vec3(1, 2, 3));
+  EXPECT_EQ(motion.rotate.y(), 90);
+  EXPECT_EQ(motion.turn[1], (Track{{0.1, 0}, {1.1, 180}}));
+}
+
+TEST(Load, ReadsLooks) {
+  const Look look =
+      load_text(smallest_scene, {"cloths.a.look={color: '#ff0000', pattern: tartan, subdivide: 2}"})
+          .cloths[0]
+          .look;
+  EXPECT_EQ(look.material.color, render::Color(1, 0, 0));
+  EXPECT_EQ(look.material.back, render::Color(1, 0, 0));  // as the front
+  EXPECT_EQ(look.material.pattern, render::Pattern::tartan);
+  EXPECT_EQ(look.subdivide, 2);
+}
+
+TEST(Load, TakesShortColors) {
+  const auto scene = load_text(smallest_scene, {"render.backdrop='#08f'"});
+  EXPECT_EQ(scene.render.backdrop, render::Color(0, 136 / 255.0f, 1));
+}
+
+TEST(Load, DarkensTheLightsThatAreNotListed) {
+  EXPECT_GT(load_text(smallest_scene).sun.intensity, 0);
+  const auto scene = load_text(smallest_scene + "lights: [{sky: {intensity: 2}}]\n");
+  EXPECT_EQ(scene.sun.intensity, 0);
+  EXPECT_EQ(scene.sky.intensity, 2);
+}
+
+TEST(Load, AnOrbitIsThereWhereItIsGiven) {
+  EXPECT_FALSE(load_text(smallest_scene).camera.orbit);
+  const auto camera = load_text(smallest_scene + "camera: {orbit: {turns: 1}}\n").camera;
+  ASSERT_TRUE(camera.orbit);
+  EXPECT_EQ(camera.orbit->turns, 1);
+}
+
+TEST(Load, OfAMissingSceneHasStatusThree) {
+  const TemporaryFolder folder;
+  const Failure failure = failure_of(folder.path() / "none.yaml", folder.path());
+  EXPECT_EQ(failure.exit_status, 3);
+  EXPECT_EQ(failure.words, "error: none.yaml: cannot be read: No such file or directory");
+}
+
+TEST(Load, HandsTheSimulationWhatItNeeds) {
+  const auto input = simulation_input(load_text(smallest_scene + "time: {fps: 25, step: 1 ms}\n"));
+  EXPECT_EQ(input.cloths.size(), 1u);
+  EXPECT_EQ(input.frame_duration, 1.0 / 25);
+  EXPECT_EQ(input.largest_step, 0.001);
+}
+
+}  // namespace drape

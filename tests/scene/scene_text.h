@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/load.h"
+
+namespace drape {
+
+// A folder of its own for one test, gone with it.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path write(const std::string& name, const std::string& content) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+// The least that a scene can be, for keys to be added to.
+extern const std::string smallest_scene;
+
+// Loads a text as the file scene.yaml of a folder of its own.
+SceneDescription load_text(const std::string& text, const std::vector<std::string>& overrides = {});
+
+// The words of the error that loading the text ends with, each problem on a line, "scene.yaml" for the file's
+// path; "" where it loads.
+std::string errors_of(const std::string& text, const std::vector<std::string>& overrides = {});
+
+// The same for a file that exists; `folder`, with the slash after it, is taken out of the words.
+struct Failure {
+  int exit_status = 0;
+  std::string words;
+};
+Failure failure_of(const std::filesystem::path& scene, const std::filesystem::path& folder,
+                   const std::vector<std::string>& overrides = {});
+
+}  // namespace drape

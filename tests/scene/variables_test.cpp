@@ -1,0 +1,53 @@
+#include <gtest/gtest.h>
+
+#include "scene/scene_text.h"
+
+namespace drape {
+
+static std::string with_vars(const std::string& vars, const std::string& more = "") {
+  return "vars: " + vars + "\n" + smallest_scene + more;
+}
+
+TEST(Variables, StandForAnyValue) {
+  const auto scene = load_text(
+      "vars:\n  n: 5\n  cotton: {density: 300 g/m2}\n  word: drape\n"
+      "version: 1\nname: \"${word} of ${n}\"\n"
+      "cloths: {a: {grid: {size: [1, 1], points: [\"${n}\", 3]}, material: \"${cotton}\"}}\n");
+  EXPECT_EQ(scene.name, "drape of 5");
+  EXPECT_EQ(scene.cloths[0].input.mesh.positions.size(), 15u);
+  EXPECT_EQ(scene.cloths[0].input.material.density, 0.3);
+}
+
+TEST(Variables, UseThoseAbove) {
+  EXPECT_EQ(load_text(with_vars("{a: x, b: \"${a}${a}\"}", "name: \"${b}\"\n")).name, "xx");
+  EXPECT_EQ(errors_of(with_vars("{b: \"${a}\", a: x}", "name: \"${b}\"\n")),
+            "scene.yaml:1:11: error: no variable `a` above this");
+}
+
+TEST(Variables, MustBeKnown) {
+  EXPECT_EQ(errors_of(with_vars("{width: 1}", "name: \"${widht}\"\n")),
+            "scene.yaml:4:7: error: no variable `widht` above this; did you mean `width`?");
+  EXPECT_EQ(errors_of(with_vars("{a: 1}", "name: \"x ${a\"\n")),
+            "scene.yaml:4:7: error: `${` without `}` in `x ${a`");
+  EXPECT_EQ(errors_of(with_vars("{a: [1]}", "name: \"x ${a}\"\n")),
+            "scene.yaml:4:7: error: ${a} is a list, which cannot stand inside of a text");
+  EXPECT_EQ(errors_of(with_vars("3")), "scene.yaml:1:7: error: vars must be a map from names, not `3`");
+}
+
+TEST(Variables, CannotGrowWithoutEnd) {
+  std::string text = "{v0: [a, a, a, a]";
+  for (int i = 1; i < 30; ++i) {
+    const std::string before = "\"${v" + std::to_string(i - 1) + "}\"";
+    text += ", v" + std::to_string(i) + ": [" + before + ", " + before + "]";
+  }
+  EXPECT_NE(errors_of(with_vars(text + "}")).find("more than 100000 values"), std::string::npos);
+}
+
+TEST(Variables, CannotNestWithoutEnd) {
+  std::string text = "{v0: [a]";
+  for (int i = 1; i < 5000; ++i)
+    text += ", v" + std::to_string(i) + ": [\"${v" + std::to_string(i - 1) + "}\"]";
+  EXPECT_NE(errors_of(with_vars(text + "}")).find("or 64 levels"), std::string::npos);
+}
+
+}  // namespace drape
