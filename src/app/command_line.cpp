@@ -1,20 +1,41 @@
 #include "app/command_line.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <map>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "app/frame_range.h"
 #include "app/program.h"
 
 namespace drape::app {
 
+// CLI11 would print the rule of each check behind the flag, where the type's name stands already.
+static CLI::Validator without_description(CLI::Validator check) { return check.description(""); }
+
+// A flag that takes one of a few words.
+template <typename Choice>
+static void add_choice(CLI::App& command, const char* flag, Choice& value, const char* help,
+                       const std::vector<std::pair<std::string, Choice>>& choices) {
+  std::vector<std::string> words;
+  for (const auto& choice : choices) words.push_back(choice.first);
+  const auto choose = [&value, choices](const std::string& word) {
+    for (const auto& choice : choices) {
+      if (choice.first == word) value = choice.second;
+    }
+  };
+  command.add_option_function<std::string>(flag, choose, help)
+      ->check(without_description(CLI::IsMember(words)))
+      ->type_name(fmt::format("{}", fmt::join(words, "|")));
+}
+
 static void add_scenes(CLI::App& command, Options& options, const char* help, bool many) {
   auto* scenes = command.add_option("scene", options.inputs, help)->required();
   scenes->expected(1, many ? CLI::detail::expected_max_vector_size : 1);
-  scenes->type_name(many ? "SCENE..." : "SCENE");
+  scenes->type_name("SCENE");
 }
 
 // Flags of every command that reads a scene.
@@ -37,7 +58,6 @@ static void add_picture_flags(CLI::App& command, Options& options) {
   command.add_option_function<std::string>("--resolution", set_resolution, "Size of the pictures, 1280x720")
       ->type_name("WxH");
   command.add_option_function<std::string>("--quality", set_quality, "How many passes a picture gets")
-      ->check(CLI::IsMember({"draft", "preview", "final"}))
       ->type_name("draft|preview|final");
 }
 
@@ -61,7 +81,7 @@ static void add_restart_flags(CLI::App& command, Options& options) {
 
 static void add_threads(CLI::App& command, Options& options) {
   command.add_option("-j,--threads", options.threads, "Threads to use; one a core by default")
-      ->check(CLI::Range(1, 1024))
+      ->check(without_description(CLI::Range(1, 1024)))
       ->type_name("N");
 }
 
@@ -71,19 +91,15 @@ static void add_statistics(CLI::App& command, Options& options) {
 }
 
 static void add_console_flags(CLI::App& command, Options& options) {
-  static const std::map<std::string, ProgressStyle> styles = {{"auto", ProgressStyle::automatic},
-                                                              {"bar", ProgressStyle::bar},
-                                                              {"lines", ProgressStyle::lines},
-                                                              {"json", ProgressStyle::json},
-                                                              {"none", ProgressStyle::none}};
-  static const std::map<std::string, UseColor> colors = {
-      {"auto", UseColor::automatic}, {"always", UseColor::always}, {"never", UseColor::never}};
-  command.add_option("--progress", options.progress, "How progress is shown on stderr")
-      ->transform(CLI::Transformer(styles))
-      ->type_name("auto|bar|lines|json|none");
-  command.add_option("--color", options.color, "Colours on stderr; NO_COLOR is obeyed")
-      ->transform(CLI::Transformer(colors))
-      ->type_name("auto|always|never");
+  add_choice<ProgressStyle>(command, "--progress", options.progress, "How progress is shown on stderr",
+                            {{"auto", ProgressStyle::automatic},
+                             {"bar", ProgressStyle::bar},
+                             {"lines", ProgressStyle::lines},
+                             {"json", ProgressStyle::json},
+                             {"none", ProgressStyle::none}});
+  add_choice<UseColor>(
+      command, "--color", options.color, "Colours on stderr; NO_COLOR is obeyed",
+      {{"auto", UseColor::automatic}, {"always", UseColor::always}, {"never", UseColor::never}});
   const auto be_verbose = [&options](std::int64_t) { options.verbosity = 1; };
   const auto be_quiet = [&options](std::int64_t) { options.verbosity = -1; };
   auto* verbose = command.add_flag("-v,--verbose", be_verbose, "Say more");
@@ -174,17 +190,14 @@ static void add_validate_and_info(Subcommands& commands, Options& options) {
 }
 
 static void add_export(Subcommands& commands, Options& options) {
-  static const std::map<std::string, GeometryFormat> formats = {{"obj", GeometryFormat::obj},
-                                                                {"ply", GeometryFormat::ply}};
   CLI::App& command =
       commands.add(Command::export_geometry, "export", "Geometry for other programs, a file a frame",
                    "drape export out/napkin --format obj -o napkin_obj");
   add_scenes(command, options, "A scene file, or the folder of an earlier run", false);
   add_scene_flags(command, options);
   add_frames(command, options, "Which frames: 1-100, 1-100x5, 1,5,9-12");
-  command.add_option("--format", options.format, "OBJ (one object a cloth) or PLY")
-      ->transform(CLI::Transformer(formats))
-      ->type_name("obj|ply");
+  add_choice<GeometryFormat>(command, "--format", options.format, "OBJ (one object a cloth) or PLY",
+                             {{"obj", GeometryFormat::obj}, {"ply", GeometryFormat::ply}});
   command.add_flag("--colliders", options.with_colliders, "Also the colliders");
 }
 
@@ -196,12 +209,14 @@ static void add_diff(Subcommands& commands, Options& options) {
                   "Two PNG files, or two folders with PNG files of the same names")
       ->required()
       ->expected(2)
-      ->type_name("A B");
+      ->type_name("PATH");
   command.add_option("--tolerance", options.diff.tolerance, "Steps of 1/255 that a channel may differ by")
-      ->check(CLI::Range(0, 255))
+      ->check(without_description(CLI::Range(0, 255)))
+      ->type_name("N")
       ->capture_default_str();
   command.add_option("--share", options.diff.share, "Share of the pixels that may differ by more")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(without_description(CLI::Range(0.0, 1.0)))
+      ->type_name("SHARE")
       ->capture_default_str();
   command.add_option("--heat", options.diff.heat, "Write a heat map here (for folders: into this folder)")
       ->type_name("PATH");
@@ -223,7 +238,22 @@ static void record_refusal(const CLI::App& app, const CLI::ParseError& refusal, 
   std::ostringstream out;
   std::ostringstream err;
   app.exit(refusal, out, err);
-  (refusal.get_exit_code() == 0 ? result.answer : result.error) = out.str() + err.str();
+  if (refusal.get_exit_code() == 0) {
+    result.answer = out.str();
+  } else {
+    result.error = "drape: error: " + err.str();
+  }
+}
+
+// CLI11 has no words of its own for a mistyped command.
+static std::string unknown_command(const CLI::App& app, int argument_count, const char* const* arguments) {
+  if (argument_count < 2 || arguments[1][0] == '-') return "";
+  std::string names;
+  for (const CLI::App* subcommand : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (subcommand->get_name() == arguments[1]) return "";
+    names += (names.empty() ? "" : ", ") + subcommand->get_name();
+  }
+  return fmt::format("drape: error: there is no command '{}'; the commands are {}\n", arguments[1], names);
 }
 
 CommandLine parse_command_line(int argument_count, const char* const* arguments) {
@@ -234,6 +264,8 @@ CommandLine parse_command_line(int argument_count, const char* const* arguments)
   app.footer("`drape COMMAND --help` shows the flags of a command and an example.");
   Subcommands commands(app, result.options);
   add_subcommands(commands, result.options);
+  result.error = unknown_command(app, argument_count, arguments);
+  if (!result.error.empty()) return result;
   try {
     app.parse(argument_count, arguments);
   } catch (const CLI::ParseError& refusal) {

@@ -32,8 +32,23 @@ static bool is_folder(const fs::path& path) {
   return fs::is_directory(path, ignored);
 }
 
+// What somebody may have meant who typed "napkin" for "scenes/napkin.yaml".
+static std::string suggestion_for(const fs::path& path) {
+  for (const fs::path& folder : {fs::path(), fs::path("scenes")}) {
+    for (const char* ending : {"", ".yaml"}) {
+      const fs::path candidate = folder / (path.string() + ending);
+      std::error_code ignored;
+      if (fs::is_regular_file(candidate, ignored))
+        return fmt::format("; did you mean {}?", candidate.string());
+    }
+  }
+  return "";
+}
+
 SceneSource find_scene(const std::string& input, const std::vector<std::string>& overrides) {
   const fs::path path = input;
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) throw FileError(input, "there is no such file" + suggestion_for(path));
   if (!is_folder(path)) return {path, merge_overrides({}, overrides)};
   const auto manifest = read_manifest(path / "run.json");
   if (!manifest)
