@@ -18,7 +18,9 @@ namespace Far = OpenSubdiv::Far;
 namespace Sdc = OpenSubdiv::Sdc;
 
 using Refiner = std::unique_ptr<Far::TopologyRefiner>;
-using Stencils = std::unique_ptr<const Far::StencilTable>;
+using StencilTable = Far::StencilTableReal<float>;
+using StencilFactory = Far::StencilTableFactoryReal<float>;
+using Stencils = std::unique_ptr<const StencilTable>;
 
 constexpr std::size_t stencils_in_a_block = 4096;
 constexpr int uv_channel = 0;
@@ -79,16 +81,16 @@ Refiner refine(const TriangleMesh& mesh, int levels) {
 }
 
 Stencils stencils_of(const Far::TopologyRefiner& refiner, unsigned interpolation) {
-  Far::StencilTableFactory::Options options;
+  StencilFactory::Options options;
   options.interpolationMode = interpolation & 3u;
   options.generateOffsets = true;
   options.generateIntermediateLevels = false;
   options.fvarChannel = uv_channel;
-  return Stencils(Far::StencilTableFactory::Create(refiner, options));
+  return Stencils(StencilFactory::Create(refiner, options));
 }
 
 template <typename Vector>
-std::vector<Vector> apply_stencils(const Far::StencilTable& stencils, const std::vector<Vector>& coarse) {
+std::vector<Vector> apply_stencils(const StencilTable& stencils, const std::vector<Vector>& coarse) {
   std::vector<Vector> fine(static_cast<std::size_t>(stencils.GetNumStencils()), Vector(Vector::Zero()));
   parallel_for_each(fine.size(), stencils_in_a_block, [&](std::size_t i) {
     const int begin = stencils.GetOffsets()[i];
@@ -124,9 +126,9 @@ LoopSubdivision::LoopSubdivision(const TriangleMesh& mesh, int levels) : tables_
     tables_->triangles.push_back(to_triangle(finest.GetFaceVertices(face)));
     if (has_uvs) tables_->uv_triangles.push_back(to_triangle(finest.GetFaceFVarValues(face, uv_channel)));
   }
-  tables_->stencils = stencils_of(*refiner, Far::StencilTableFactory::INTERPOLATE_VERTEX);
+  tables_->stencils = stencils_of(*refiner, StencilFactory::INTERPOLATE_VERTEX);
   if (!has_uvs) return;
-  const Stencils uv_stencils = stencils_of(*refiner, Far::StencilTableFactory::INTERPOLATE_FACE_VARYING);
+  const Stencils uv_stencils = stencils_of(*refiner, StencilFactory::INTERPOLATE_FACE_VARYING);
   tables_->uvs = apply_stencils(*uv_stencils, tables_->uvs);
 }
 
