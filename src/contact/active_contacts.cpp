@@ -8,8 +8,13 @@
 namespace drape {
 namespace {
 
-// A step lets old overlap heal by this share of the thickness (contact without a jump in velocity).
-constexpr double push_share = 0.05;
+// Old overlap heals by a twentieth of the thickness in a step, and only up to nine tenths of it: a push that went all
+// the way would meet the elastic pull, which is velocity where the push is not, and a fold at rest would buzz.
+double healed_distance(double thickness, double distance) {
+  const double healed = std::min(0.9 * thickness, distance + 0.05 * thickness);
+  return std::max(std::min(thickness, distance), healed);
+}
+
 // Conservative advancement stops when the gap to close is this share of the thickness.
 constexpr double arrival_share = 0.02;
 
@@ -53,7 +58,7 @@ Contact make_contact(const NarrowPhase& phase, const ContactPair& pair, const Cl
   contact.weights = closest.weights;
   contact.normal = closest.difference / closest.distance;
   contact.target = std::min(pair.thickness, start_distance);
-  contact.push_target = std::min(pair.thickness, start_distance + push_share * pair.thickness);
+  contact.push_target = healed_distance(pair.thickness, start_distance);
   contact.friction = pair.friction;
   contact.turn = turning(phase, pair, closest, start, end);
   contact.thickness = pair.thickness;
@@ -134,7 +139,7 @@ static void add_plane_contact(const NarrowPhase& phase, const ContactPlane& plan
   contact.weights = {1, 0, 0, 0};
   contact.normal = up_end;
   contact.target = offset + std::min(cloth.thickness, start_height);
-  contact.push_target = offset + std::min(cloth.thickness, start_height + push_share * cloth.thickness);
+  contact.push_target = offset + healed_distance(cloth.thickness, start_height);
   contact.friction = pair_friction(phase.geometry, phase.geometry.vertex_body[v], plane.body);
   contact.turn = -rigid_displacement(motion, phase.motion.start[v]);
   contact.thickness = cloth.thickness;

@@ -18,8 +18,12 @@ static double thickness_within(const ContactGeometry& geometry, PairKind kind, c
 
 double pair_thickness(const ContactGeometry& geometry, PairKind kind, const std::array<int, 4>& vertices) {
   const auto [a, b] = pair_bodies(geometry, kind, vertices);
-  const ContactBody &first = geometry.bodies[a], &second = geometry.bodies[b];
-  if (a == b) return thickness_within(geometry, kind, vertices, first.thickness);
+  if (a == b) return thickness_within(geometry, kind, vertices, geometry.bodies[a].thickness);
+  return largest_thickness(geometry, a, b);
+}
+
+double largest_thickness(const ContactGeometry& geometry, int body_a, int body_b) {
+  const ContactBody &first = geometry.bodies[body_a], &second = geometry.bodies[body_b];
   if (first.is_cloth && second.is_cloth) return 0.5 * (first.thickness + second.thickness);
   return first.thickness + second.thickness + first.radius + second.radius;
 }

@@ -53,6 +53,9 @@ struct ContactPair {
 // bending to a radius of half the thickness never reaches.
 double pair_thickness(const ContactGeometry& geometry, PairKind kind, const std::array<int, 4>& vertices);
 
+// The most that pair_thickness gives for the two bodies.
+double largest_thickness(const ContactGeometry& geometry, int body_a, int body_b);
+
 // The geometric mean of the two bodies' coefficients.
 double pair_friction(const ContactGeometry& geometry, int body_a, int body_b);
 

@@ -87,6 +87,7 @@ std::vector<Box> select(const std::vector<Box>& boxes, const std::vector<int>& c
 struct Builder {
   const ContactGeometry& geometry;
   const std::vector<Vec3>& start;
+  const std::vector<double>& reach;  // how far from its start each vertex may come in its box
   const Boxes& boxes;
   double cell_size;
   std::vector<ContactPair>& pairs;
@@ -116,17 +117,29 @@ double distance_bound(const FourPoints& x, PairKind kind) {
   return (centre[0] - centre[1]).norm() - std::sqrt(radius[0]) - std::sqrt(radius[1]);
 }
 
+// How much nearer the two sides can come while their vertices stay in their boxes.
+double reach_of(const Builder& builder, PairKind kind, const std::array<int, 4>& v) {
+  const auto& reach = builder.reach;
+  if (kind == PairKind::point_triangle)
+    return reach[v[0]] + std::max({reach[v[1]], reach[v[2]], reach[v[3]]});
+  return std::max(reach[v[0]], reach[v[1]]) + std::max(reach[v[2]], reach[v[3]]);
+}
+
 void add_pair(const Builder& builder, PairKind kind, const std::array<int, 4>& vertices,
               std::vector<ContactPair>& out) {
   if (share_a_vertex(vertices, kind) || all_kinematic(builder.geometry, vertices)) return;
   const auto [a, b] = pair_bodies(builder.geometry, kind, vertices);
+  const double most = largest_thickness(builder.geometry, a, b) + reach_of(builder, kind, vertices);
+  const FourPoints start = gather(builder.start, vertices);
+  if (distance_bound(start, kind) > most) return;
+  const double distance = closest_points(kind, start).distance;
+  if (distance > most) return;
   const auto bare_edge = [&](int body) {
     return builder.geometry.bodies[body].triangle_begin == builder.geometry.bodies[body].triangle_end;
   };
   const double thickness = pair_thickness(builder.geometry, kind, vertices);
-  const double expiry = distance_bound(gather(builder.start, vertices), kind) - thickness;
   out.push_back({vertices, kind, bare_edge(a) || bare_edge(b), thickness,
-                 pair_friction(builder.geometry, a, b), expiry});
+                 pair_friction(builder.geometry, a, b), distance - 1.02 * thickness});
 }
 
 // Pairs of two lists of primitives whose boxes overlap, in the order of the queries.
@@ -197,6 +210,13 @@ void collect_pairs(const Builder& builder, int own_body) {
         collect_between(builder, a, b);
 }
 
+std::vector<double> box_reach(const ProximityList& list, const std::vector<Vec3>& start, int begin, int end) {
+  std::vector<double> reach(start.size(), 0.0);
+  for (int v = begin; v < end; ++v)
+    reach[v] = (start[v] - list.lower[v]).cwiseMax(list.upper[v] - start[v]).norm();
+  return reach;
+}
+
 void build_list(const ContactGeometry& geometry, const StepMotion& motion, double pad, double cell_size,
                 ProximityList& list) {
   const Vec3 shift = frame_motion(geometry, list, motion);
@@ -213,7 +233,8 @@ void build_list(const ContactGeometry& geometry, const StepMotion& motion, doubl
   list.travelled.assign(geometry.vertex_body.size(), 0.0);
   list.pairs.clear();
   const Boxes boxes = primitive_boxes(geometry, list);
-  collect_pairs({geometry, motion.start, boxes, cell_size, list.pairs}, list.own_body);
+  const std::vector<double> reach = box_reach(list, motion.start, begin, end);
+  collect_pairs({geometry, motion.start, reach, boxes, cell_size, list.pairs}, list.own_body);
   list.built = true;
 }
 

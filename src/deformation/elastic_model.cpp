@@ -67,10 +67,13 @@ ElasticModel build_elastic_model(const Sheet& sheet, const std::vector<double>& 
 }
 
 void pull_to_goals(const ElasticModel& model, FibreScratch& scratch, std::vector<Vec3>& x) {
+  constexpr int stiff_passes = 2;
   pull_hinges(model.hinges, model.inverse_masses, model.step, x);
   pull_clusters(model.outer_corners, model.inverse_masses, x);
-  pull_clusters(model.own_triangles, model.inverse_masses, x);
-  pull_fibres(model.fibres, model.inverse_masses, scratch, x);
+  for (int pass = 0; pass < stiff_passes; ++pass) {
+    pull_fibres(model.fibres, model.inverse_masses, scratch, x);
+    pull_clusters(model.own_triangles, model.inverse_masses, x);
+  }
 }
 
 }  // namespace drape
