@@ -86,14 +86,16 @@ bool is_flat(const std::vector<Vec3>& positions, const Triangle& triangle) {
 void check_degenerate(const TriangleMesh& mesh, std::vector<std::string>& problems) {
   Findings found;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto [a, b, c] = mesh.triangles[t];
+    const Triangle& corners = mesh.triangles[t];
     const auto say = [&](const char* why) {
-      found.add(
-          [&] { return fmt::format("triangle {} (points {}, {}, {}) {}", t + 1, a + 1, b + 1, c + 1, why); });
+      found.add([&] {
+        return fmt::format("triangle {} (points {}, {}, {}) {}", t + 1, corners[0] + 1, corners[1] + 1,
+                           corners[2] + 1, why);
+      });
     };
-    if (names_a_point_twice(mesh.triangles[t]))
+    if (names_a_point_twice(corners))
       say("names a point twice; delete it");
-    else if (is_flat(mesh.positions, mesh.triangles[t]))
+    else if (is_flat(mesh.positions, corners))
       say("has no area; merge its points or delete it");
   }
   append(found, "degenerate triangles", problems);

@@ -6,10 +6,10 @@
 
 namespace drape {
 
-// Reads a surface by the ending of its name: .obj and .ply by readers of our own, any other format that assimp
-// knows by assimp in a child process. Polygons are cut into fans, points welded where their positions are equal,
-// texture coordinates kept. Throws FileError where the file can't be opened, InputError (exit status 3) that
-// names file, line where there is one, and what is wrong otherwise.
+// Reads a surface by the ending of its name: .obj and .ply by readers of our own, any other format that
+// assimp knows by assimp in a child process. Polygons are cut into fans, points welded where their positions
+// are equal, texture coordinates kept. Throws FileError where the file can't be opened, InputError (exit
+// status 3) that names file, line where there is one, and what is wrong otherwise.
 TriangleMesh read_mesh(const std::filesystem::path& path);
 
 // All digits: a reader gets the same floats back.

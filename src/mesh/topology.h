@@ -9,16 +9,16 @@ namespace drape {
 
 // An edge and its one or two triangles.
 struct Edge {
-  std::array<int, 2> vertices;    // smaller index first
-  std::array<int, 2> triangles;   // the second is -1 on a boundary
+  std::array<int, 2> vertices;   // smaller index first
+  std::array<int, 2> triangles;  // the second is -1 on a boundary
 };
 
 // What is next to what; fixed once built. Needs a mesh that check_manifold accepts.
 struct Topology {
-  std::vector<Edge> edges;                           // sorted by vertices
-  std::vector<std::array<int, 3>> triangle_edges;    // edge k of a triangle joins its corners k and (k+1) % 3
-  std::vector<int> vertex_triangle_begin;            // triangles of vertex v: vertex_triangles[begin[v] .. begin[v+1])
-  std::vector<int> vertex_triangles;                 // ascending for each vertex
+  std::vector<Edge> edges;                         // sorted by vertices
+  std::vector<std::array<int, 3>> triangle_edges;  // edge k of a triangle joins its corners k and (k+1) % 3
+  std::vector<int> vertex_triangle_begin;  // triangles of vertex v: vertex_triangles[begin[v] .. begin[v+1])
+  std::vector<int> vertex_triangles;       // ascending for each vertex
 };
 Topology build_topology(int vertex_count, const std::vector<Triangle>& triangles);
 
