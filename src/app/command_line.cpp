@@ -130,7 +130,7 @@ class Subcommands {
 
 static void add_run(Subcommands& commands, Options& options) {
   CLI::App& command = commands.add(Command::run, "run", "Simulate, render and encode: the main job",
-                                   "drape run scenes/napkin.yaml -o out/napkin --quality draft");
+                                   "drape run scenes/hello_drape.yaml -o out/hello_drape --quality draft");
   add_scenes(command, options, "Scene files; several are a batch, with a table at the end", true);
   add_scene_flags(command, options);
   add_picture_flags(command, options);
@@ -141,7 +141,7 @@ static void add_run(Subcommands& commands, Options& options) {
 
 static void add_simulate(Subcommands& commands, Options& options) {
   CLI::App& command = commands.add(Command::simulate, "simulate", "Only the simulation, into the cache",
-                                   "drape simulate scenes/napkin.yaml -D time.frames=1-240");
+                                   "drape simulate scenes/hello_drape.yaml -D time.frames=1-240");
   add_scenes(command, options, "A scene file, or the folder of an earlier run", false);
   add_scene_flags(command, options);
   add_restart_flags(command, options);
@@ -151,7 +151,7 @@ static void add_simulate(Subcommands& commands, Options& options) {
 
 static void add_render(Subcommands& commands, Options& options) {
   CLI::App& command = commands.add(Command::render, "render", "Only the pictures, from the cache",
-                                   "drape render out/napkin -f 1-100x5 --resolution 640x360");
+                                   "drape render out/hello_drape -f 1-100x5 --resolution 640x360");
   add_scenes(command, options, "A scene file, or the folder of an earlier run", false);
   add_scene_flags(command, options);
   add_picture_flags(command, options);
@@ -163,14 +163,14 @@ static void add_render(Subcommands& commands, Options& options) {
 
 static void add_encode(Subcommands& commands, Options& options) {
   CLI::App& command = commands.add(Command::encode, "encode", "Only the video, from the pictures",
-                                   "drape encode out/napkin -D render.video.crf=23");
+                                   "drape encode out/hello_drape -D render.video.crf=23");
   add_scenes(command, options, "A scene file, or the folder of an earlier run", false);
   add_scene_flags(command, options);
 }
 
 static void add_still(Subcommands& commands, Options& options) {
   CLI::App& command = commands.add(Command::still, "still", "One picture, from the cache",
-                                   "drape still out/napkin -f 60 -o napkin.png --quality final");
+                                   "drape still out/hello_drape -f 60 -o hello.png --quality final");
   add_scenes(command, options, "A scene file, or the folder of an earlier run", false);
   add_scene_flags(command, options);
   add_picture_flags(command, options);
@@ -183,7 +183,7 @@ static void add_validate_and_info(Subcommands& commands, Options& options) {
   add_scenes(validate, options, "Scene files", true);
   add_scene_flags(validate, options);
   CLI::App& info = commands.add(Command::info, "info", "Sizes, steps, and an estimate of memory and time",
-                                "drape info scenes/napkin.yaml --quality final");
+                                "drape info scenes/hello_drape.yaml --quality final");
   add_scenes(info, options, "A scene file, or the folder of an earlier run", false);
   add_scene_flags(info, options);
   add_picture_flags(info, options);
@@ -192,7 +192,7 @@ static void add_validate_and_info(Subcommands& commands, Options& options) {
 static void add_export(Subcommands& commands, Options& options) {
   CLI::App& command =
       commands.add(Command::export_geometry, "export", "Geometry for other programs, a file a frame",
-                   "drape export out/napkin --format obj -o napkin_obj");
+                   "drape export out/hello_drape --format obj -o hello_obj");
   add_scenes(command, options, "A scene file, or the folder of an earlier run", false);
   add_scene_flags(command, options);
   add_frames(command, options, "Which frames: 1-100, 1-100x5, 1,5,9-12");
