@@ -91,7 +91,7 @@ class TreeReader {
       if (!tree) continue;
       if (tree->kind != Node::Kind::map)
         problems_.add(item->place,
-                      fmt::format("include: `{}` must hold a map, not {}", item->text, describe(*tree)));
+                      fmt::format("include: {} must hold a map, not {}", quote(item->text), describe(*tree)));
       else
         merge(root, std::move(*tree));
     }

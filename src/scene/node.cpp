@@ -1,6 +1,7 @@
 #include "scene/node.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace drape {
 
@@ -11,7 +12,7 @@ const MapEntry* find_entry(const Node& map, std::string_view key) {
 }
 
 MapEntry* find_entry(Node& map, std::string_view key) {
-  return const_cast<MapEntry*>(find_entry(static_cast<const Node&>(map), key));
+  return const_cast<MapEntry*>(find_entry(std::as_const(map), key));
 }
 
 std::size_t count_nodes(const Node& node) {
@@ -35,8 +36,21 @@ int depth_of(const Node& node) {
   return deepest + 1;
 }
 
+// Not within a character, and on one line.
+static std::size_t quotable_length(std::string_view text) {
+  constexpr std::size_t longest = 60;
+  std::size_t length = std::min({longest, text.size(), text.find('\n')});
+  while (length > 0 && length < text.size() && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80)
+    --length;
+  return length;
+}
+
+std::string quote(std::string_view text) {
+  const std::size_t length = quotable_length(text);
+  return "`" + std::string(text.substr(0, length)) + (length < text.size() ? "...`" : "`");
+}
+
 std::string describe(const Node& node) {
-  constexpr std::size_t longest_quote = 60;
   switch (node.kind) {
     case Node::Kind::map:
       return "a map";
@@ -47,8 +61,7 @@ std::string describe(const Node& node) {
     case Node::Kind::scalar:
       break;
   }
-  if (node.text.size() <= longest_quote) return "`" + node.text + "`";
-  return "`" + node.text.substr(0, longest_quote) + "...`";
+  return quote(node.text);
 }
 
 }  // namespace drape

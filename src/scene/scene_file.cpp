@@ -15,10 +15,11 @@ std::optional<fs::path> find_scene_file(const std::string& name, const std::stri
                                         const Place& place, ProblemList& problems) {
   std::error_code error;
   const fs::path path = relative_to / name;
-  const fs::path folder = fs::weakly_canonical(scene_folder, error);
+  const fs::path folder = fs::weakly_canonical(scene_folder.empty() ? "." : scene_folder, error);
   const fs::path resolved = fs::weakly_canonical(path, error);
   if (error || fs::path(name).is_absolute() || !is_under(resolved, folder)) {
-    problems.add(place, fmt::format("{} must be a file under the scene's folder, not `{}`", key_path, name));
+    problems.add(place,
+                 fmt::format("{} must be a file under the scene's folder, not {}", key_path, quote(name)));
     return std::nullopt;
   }
   if (!fs::exists(resolved, error)) {
@@ -27,7 +28,7 @@ std::optional<fs::path> find_scene_file(const std::string& name, const std::stri
     return std::nullopt;
   }
   if (!fs::is_regular_file(resolved, error)) {
-    problems.add_file_fault(place, fmt::format("{}: `{}` is not a regular file", key_path, name));
+    problems.add_file_fault(place, fmt::format("{}: {} is not a regular file", key_path, quote(name)));
     return std::nullopt;
   }
   return path;

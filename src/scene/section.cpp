@@ -14,8 +14,8 @@ static void check_keys(const Section& section) {
   const std::vector<std::string_view> known = key_names(section.keys);
   for (const MapEntry& entry : section.node->entries)
     if (find_key(section.keys, entry.key) == nullptr)
-      section.problems->add(entry.place, fmt::format("unknown key `{}` in {}{}", entry.key, title(section),
-                                                     suggestion(entry.key, known, "keys")));
+      section.problems->add(entry.place, fmt::format("unknown key {} in {}{}", quote(entry.key),
+                                                     title(section), suggestion(entry.key, known, "keys")));
   for (const std::string_view name : known)
     if (find_key(section.keys, name)->required && !has(section, name))
       section.problems->add(section.place, fmt::format("missing key `{}` in {}", name, title(section)));
@@ -62,45 +62,53 @@ static bool is_name(std::string_view text) {
              std::string_view::npos;
 }
 
-std::vector<NamedSection> open_named(const Section& parent, std::string_view name, int most) {
+// The value of a key, or null and a problem where it is of another kind than the table says.
+static const Node* find_of_kind(const Section& parent, std::string_view name, Node::Kind kind) {
   const Node* node = find_value(parent, name);
+  if (node == nullptr || node->kind == kind) return node;
+  parent.problems->add(node->place,
+                       fmt::format("{} must be a {}, not {}", path_of(parent, name),
+                                   kind == Node::Kind::map ? "map from names" : "list", describe(*node)));
+  return nullptr;
+}
+
+static Section open_child(const Section& parent, std::string_view name, const std::string& child_path,
+                          const Place& place, const Node& node) {
+  return open_map(node,
+                  {nullptr, keys_listed_under(listed_key(parent, name)), child_path, place, parent.problems});
+}
+
+std::vector<NamedSection> open_named(const Section& parent, std::string_view name, int most) {
+  const Node* node = find_of_kind(parent, name, Node::Kind::map);
   if (node == nullptr) return {};
   const std::string path = path_of(parent, name);
-  if (node->kind != Node::Kind::map || node->entries.size() > static_cast<std::size_t>(most)) {
-    parent.problems->add(node->place,
-                         node->kind != Node::Kind::map
-                             ? fmt::format("{} must be a map from names, not {}", path, describe(*node))
-                             : fmt::format("{} must be at most {}", path, most));
+  if (node->entries.size() > static_cast<std::size_t>(most)) {
+    parent.problems->add(node->place, fmt::format("{} must be at most {}", path, most));
     return {};
   }
   std::vector<NamedSection> sections;
   for (const MapEntry& entry : node->entries) {
-    Section section{nullptr, keys_listed_under(listed_key(parent, name)), path + "." + entry.key, entry.place,
-                    parent.problems};
-    if (!is_name(entry.key))
+    if (!is_name(entry.key)) {
       parent.problems->add(entry.place,
-                           fmt::format("the name `{}` in {} must be of letters, digits, _ and -, "
-                                       "at most 64",
-                                       entry.key, path));
-    section = open_map(entry.value, std::move(section));
+                           fmt::format("the name {} in {} must be of letters, digits, _ and -, at "
+                                       "most 64",
+                                       quote(entry.key), path));
+      continue;
+    }
+    Section section = open_child(parent, name, path + "." + entry.key, entry.place, entry.value);
     if (section.node != nullptr) sections.push_back({entry.key, std::move(section)});
   }
   return sections;
 }
 
 std::vector<Section> open_list(const Section& parent, std::string_view name) {
-  const Node* node = find_value(parent, name);
+  const Node* node = find_of_kind(parent, name, Node::Kind::sequence);
   if (node == nullptr) return {};
-  const std::string path = path_of(parent, name);
-  if (node->kind != Node::Kind::sequence) {
-    parent.problems->add(node->place, fmt::format("{} must be a list, not {}", path, describe(*node)));
-    return {};
-  }
   std::vector<Section> sections;
   for (std::size_t i = 0; i < node->items.size(); ++i) {
-    Section section{nullptr, keys_listed_under(listed_key(parent, name)), fmt::format("{}[{}]", path, i),
-                    node->items[i].place, parent.problems};
-    section = open_map(node->items[i], std::move(section));
+    const Node& item = node->items[i];
+    Section section =
+        open_child(parent, name, fmt::format("{}[{}]", path_of(parent, name), i), item.place, item);
     if (section.node != nullptr) sections.push_back(std::move(section));
   }
   return sections;

@@ -46,8 +46,8 @@ class Substitution {
       const Node* value = look_up(node, name);
       if (value == nullptr) return;
       if (value->kind != Node::Kind::scalar)
-        return problems_.add(node.place, fmt::format("${{{}}} is {}, which cannot stand inside of a text",
-                                                     name, describe(*value)));
+        return problems_.add(node.place, fmt::format("variable {} is {}, which cannot stand inside of a text",
+                                                     quote(name), describe(*value)));
       result.append(rest.substr(0, begin)).append(value->text);
       rest.remove_prefix(end + 1);
       if (result.size() > longest_text)
@@ -62,7 +62,7 @@ class Substitution {
     if (found != values_.end()) return found->second;
     std::vector<std::string_view> names;
     for (const auto& [known, value] : values_) names.push_back(known);
-    problems_.add(node.place, fmt::format("no variable `{}` above this{}", name,
+    problems_.add(node.place, fmt::format("no variable {} above this{}", quote(name),
                                           names.empty() ? "" : suggestion(name, names, "variables")));
     return nullptr;
   }

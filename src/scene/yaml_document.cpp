@@ -44,6 +44,7 @@ class TreeBuilder : public YAML::EventHandler {
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& text) override {
     refuse_tag(mark, tag);
+    refuse_escaped(mark, text);
     Node node = make_node(mark, Node::Kind::scalar, text);
     if (awaits_key()) return take_key(node);
     add_value(std::move(node), anchor);
@@ -86,7 +87,14 @@ class TreeBuilder : public YAML::EventHandler {
 
   void refuse_tag(const YAML::Mark& mark, const std::string& tag) const {
     if (tag.empty() || tag == "?" || tag == "!") return;
-    throw Refusal{place(mark), "the tag `" + tag + "` has no meaning in a scene"};
+    throw Refusal{place(mark), "the tag " + quote(tag) + " has no meaning in a scene"};
+  }
+
+  // Escapes in quotes bring back what the text as a whole was checked for.
+  void refuse_escaped(const YAML::Mark& mark, const std::string& text) const {
+    if (const auto fault = find_encoding_fault(text)) throw Refusal{place(mark), fault->message};
+    if (awaits_key() && text.find('\n') != std::string::npos)
+      throw Refusal{place(mark), "a key must be one line"};
   }
 
   void take_budget(const Place& at, const Node& node) {
@@ -143,8 +151,8 @@ class TreeBuilder : public YAML::EventHandler {
     if (node.kind == Node::Kind::null) node.place = entry.place;
     const auto [first, is_new] = map.keys.emplace(entry.key, entry.place);
     if (!is_new) {
-      problems_.add(entry.place, fmt::format("key `{}` is given twice; the first is at line {}, column {}",
-                                             entry.key, first->second.line, first->second.column));
+      problems_.add(entry.place, fmt::format("key {} is given twice; the first is at line {}, column {}",
+                                             quote(entry.key), first->second.line, first->second.column));
       return;
     }
     entry.value = std::move(node);

@@ -111,6 +111,17 @@ TEST(Document, RefusesControlCharacters) {
   EXPECT_EQ(words_of("a: 1\nb: \x1B[0m"), "a.yaml:2:4: error: the control character 0x1B is not text");
 }
 
+TEST(Document, RefusesWhatEscapesBringBack) {
+  EXPECT_EQ(words_of("a: \"\\e[2J\"\n"), "a.yaml:1:4: error: the control character 0x1B is not text");
+  EXPECT_EQ(words_of("\"a\\nb\": 1\n"), "a.yaml:1:1: error: a key must be one line");
+}
+
+TEST(Document, QuotesWithoutCuttingACharacter) {
+  EXPECT_EQ(quote("short"), "`short`");
+  EXPECT_EQ(quote(std::string(59, 'x') + "\xC3\xA4\xC3\xA4"), "`" + std::string(59, 'x') + "...`");
+  EXPECT_EQ(quote("one\ntwo"), "`one...`");
+}
+
 TEST(Document, RefusesBrokenUtf8) {
   EXPECT_EQ(words_of("a: \xC3\xA4\n"), "");
   EXPECT_EQ(words_of("a: \xFF\n"), "a.yaml:1:4: error: byte 0xFF is not UTF-8");

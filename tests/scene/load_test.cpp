@@ -109,6 +109,17 @@ TEST(Load, AnOrbitIsThereWhereItIsGiven) {
   EXPECT_EQ(camera.orbit->turns, 1);
 }
 
+TEST(Load, FindsMeshesFromTheCurrentFolder) {
+  const TemporaryFolder folder;
+  folder.write("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 0 -1\nf 1 2 3\n");
+  folder.write("scene.yaml", "version: 1\ncloths: {a: {mesh: triangle.obj}}\n");
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  const auto scene = load_scene("scene.yaml");
+  std::filesystem::current_path(before);
+  EXPECT_EQ(scene.cloths.at(0).input.mesh.triangles.size(), 1u);
+}
+
 TEST(Load, OfAMissingSceneHasStatusThree) {
   const TemporaryFolder folder;
   const Failure failure = failure_of(folder.path() / "none.yaml", folder.path());

@@ -30,7 +30,7 @@ TEST(Variables, MustBeKnown) {
   EXPECT_EQ(errors_of(with_vars("{a: 1}", "name: \"x ${a\"\n")),
             "scene.yaml:4:7: error: `${` without `}` in `x ${a`");
   EXPECT_EQ(errors_of(with_vars("{a: [1]}", "name: \"x ${a}\"\n")),
-            "scene.yaml:4:7: error: ${a} is a list, which cannot stand inside of a text");
+            "scene.yaml:4:7: error: variable `a` is a list, which cannot stand inside of a text");
   EXPECT_EQ(errors_of(with_vars("3")), "scene.yaml:1:7: error: vars must be a map from names, not `3`");
 }
 
