@@ -8,8 +8,9 @@
 namespace drape {
 namespace {
 
-// Old overlap heals by a twentieth of the thickness in a step, and only up to nine tenths of it: a push that went all
-// the way would meet the elastic pull, which is velocity where the push is not, and a fold at rest would buzz.
+// Old overlap heals by a twentieth of the thickness in a step, and only up to nine tenths of it: a push that
+// went all the way would meet the elastic pull, which is velocity where the push is not, and a fold at rest
+// would buzz.
 double healed_distance(double thickness, double distance) {
   const double healed = std::min(0.9 * thickness, distance + 0.05 * thickness);
   return std::max(std::min(thickness, distance), healed);
@@ -29,7 +30,8 @@ Vec3 rigid_displacement(const BodyMotion& motion, const Vec3& point) {
   return motion.end(local) - point;
 }
 
-// What a rounded collider's surface moves beyond its vertices, seen from the first side: these carry no turning.
+// What a rounded collider's surface moves beyond its vertices, seen from the first side: these carry no
+// turning.
 Vec3 turning(const NarrowPhase& phase, const ContactPair& pair, const ClosestPoints& closest,
              const FourPoints& start, const FourPoints& end) {
   const auto bodies = pair_bodies(phase.geometry, pair.kind, pair.vertices);
@@ -88,8 +90,7 @@ void examine_pair(const NarrowPhase& phase, double way_before, double way_in_ste
   const FourPoints end = gather(phase.motion.end, pair.vertices);
   ClosestPoints closest = at_start;
   if (at_start.distance > reach) {
-    const auto time =
-        time_of_contact(pair.kind, start, end, pair.thickness, arrival_share * pair.thickness);
+    const auto time = time_of_contact(pair.kind, start, end, pair.thickness, arrival_share * pair.thickness);
     if (!time) return;
     closest = closest_points(pair.kind, at_time(start, end, *time));
   }
@@ -118,16 +119,15 @@ void find_active_pairs(const NarrowPhase& phase, ProximityList& list, std::vecto
                        const double before = travelled(list, pair);
                        double way = 0;
                        for (const int v : pair.vertices) way += ways[v];
-                       if (before + way >= pair.expiry)
-                         examine_pair(phase, before, way, pair, out);
+                       if (before + way >= pair.expiry) examine_pair(phase, before, way, pair, out);
                      }
                    });
   contacts.insert(contacts.end(), found.begin(), found.end());
 }
 
 // A vertex at or under its thickness over the plane, at the step's end.
-static void add_plane_contact(const NarrowPhase& phase, const ContactPlane& plane, const ContactBody& cloth, int v,
-                              std::vector<Contact>& contacts) {
+static void add_plane_contact(const NarrowPhase& phase, const ContactPlane& plane, const ContactBody& cloth,
+                              int v, std::vector<Contact>& contacts) {
   const BodyMotion& motion = phase.bodies[plane.body];
   const Vec3 up_start = motion.start.rotation.col(1), up_end = motion.end.rotation.col(1);
   if (up_end.dot(phase.motion.end[v] - motion.end.translation) > cloth.thickness) return;
@@ -154,8 +154,9 @@ void find_plane_contacts(const NarrowPhase& phase, std::vector<Contact>& contact
 }
 
 static ContactPair pair_of(const Contact& contact) {
-  return {contact.vertices, static_cast<PairKind>(contact.key.first), contact.counts_edge_ends,
-          contact.thickness, contact.friction, 0};
+  return {contact.vertices,         static_cast<PairKind>(contact.key.first),
+          contact.counts_edge_ends, contact.thickness,
+          contact.friction,         0};
 }
 
 void find_moved_contacts(const NarrowPhase& phase, const std::vector<Contact>& known,

@@ -12,8 +12,8 @@ namespace drape {
 // Which pair a contact is of: its kind (or 2 + the plane's body) and its vertices.
 using ContactKey = std::pair<int, std::array<int, 4>>;
 
-// A contact that the response has to hold: along `normal`, the two sides (weights as in ClosestPoints) must stay
-// `target` apart at the step's end.
+// A contact that the response has to hold: along `normal`, the two sides (weights as in ClosestPoints) must
+// stay `target` apart at the step's end.
 struct Contact {
   ContactKey key;
   std::array<int, 4> vertices;
@@ -22,8 +22,8 @@ struct Contact {
   double target;       // m: what is kept in this step; old overlap is no more than kept from growing
   double push_target;  // m: what the push after the step grows towards
   double friction;
-  Vec3 turn;           // m: what the turning of a rounded or plane collider adds to the sides' relative motion
-  double thickness;    // m
+  Vec3 turn;         // m: what the turning of a rounded or plane collider adds to the sides' relative motion
+  double thickness;  // m
   bool counts_edge_ends;
   double impulse = 0;                    // lambda: kg m, never negative
   Vec3 friction_impulse = Vec3::Zero();  // across the normal, no longer than friction * impulse
@@ -41,9 +41,9 @@ struct NarrowPhase {
   StepMotion motion;
 };
 
-// The pairs of the list that come within their thickness on the way, each at the first time that they do (section
-// 5 of the paper: collisions are detected on the future positions). Pairs that are known to be too far are passed
-// over; their `expiry` is brought up to date.
+// The pairs of the list that come within their thickness on the way, each at the first time that they do
+// (section 5 of the paper: collisions are detected on the future positions). Pairs that are known to be too
+// far are passed over; their `expiry` is brought up to date.
 void find_active_pairs(const NarrowPhase& phase, ProximityList& list, std::vector<Contact>& contacts);
 
 // Vertices within their thickness of a plane at the step's end.

@@ -6,12 +6,13 @@
 
 namespace drape {
 
-std::array<int, 2> pair_bodies(const ContactGeometry& geometry, PairKind kind, const std::array<int, 4>& vertices) {
+std::array<int, 2> pair_bodies(const ContactGeometry& geometry, PairKind kind,
+                               const std::array<int, 4>& vertices) {
   return {geometry.vertex_body[vertices[0]], geometry.vertex_body[vertices[first_side(kind)]]};
 }
 
-static double thickness_within(const ContactGeometry& geometry, PairKind kind, const std::array<int, 4>& vertices,
-                               double thickness) {
+static double thickness_within(const ContactGeometry& geometry, PairKind kind,
+                               const std::array<int, 4>& vertices, double thickness) {
   const double rest_distance = closest_points(kind, gather(geometry.rest_positions, vertices)).distance;
   return std::min(thickness, 2 / std::numbers::pi * rest_distance);
 }

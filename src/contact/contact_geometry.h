@@ -25,8 +25,8 @@ struct ContactPlane {
   int body;
 };
 
-// All that can touch; fixed once built, but for the inverse masses when a pin lets go. Vertices of cloths come
-// first and are those of the simulation; those of colliders follow.
+// All that can touch; fixed once built, but for the inverse masses when a pin lets go. Vertices of cloths
+// come first and are those of the simulation; those of colliders follow.
 struct ContactGeometry {
   std::vector<ContactBody> bodies;
   std::vector<int> vertex_body;
@@ -45,12 +45,12 @@ struct ContactPair {
   bool counts_edge_ends;  // an edge of no triangle: its closest points at edge ends are nobody else's
   double thickness;       // m, between the closest points, radii of colliders included
   double friction;
-  double expiry;          // the sum of its vertices' travelled ways up to which it stays apart
+  double expiry;  // the sum of its vertices' travelled ways up to which it stays apart
 };
 
-// The distance to keep. Between bodies: half of each cloth's thickness, or all of it against a collider, and the
-// collider's radius. Within a cloth: its thickness, but no more than 2/pi of the distance in the rest shape, which
-// bending to a radius of half the thickness never reaches.
+// The distance to keep. Between bodies: half of each cloth's thickness, or all of it against a collider, and
+// the collider's radius. Within a cloth: its thickness, but no more than 2/pi of the distance in the rest
+// shape, which bending to a radius of half the thickness never reaches.
 double pair_thickness(const ContactGeometry& geometry, PairKind kind, const std::array<int, 4>& vertices);
 
 // The most that pair_thickness gives for the two bodies.
@@ -60,7 +60,8 @@ double largest_thickness(const ContactGeometry& geometry, int body_a, int body_b
 double pair_friction(const ContactGeometry& geometry, int body_a, int body_b);
 
 // The body on each side of a pair.
-std::array<int, 2> pair_bodies(const ContactGeometry& geometry, PairKind kind, const std::array<int, 4>& vertices);
+std::array<int, 2> pair_bodies(const ContactGeometry& geometry, PairKind kind,
+                               const std::array<int, 4>& vertices);
 
 inline FourPoints gather(const std::vector<Vec3>& x, const std::array<int, 4>& vertices) {
   return {x[vertices[0]], x[vertices[1]], x[vertices[2]], x[vertices[3]]};

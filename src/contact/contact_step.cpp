@@ -40,8 +40,8 @@ std::vector<ContactKey> sorted_keys(const std::vector<Contact>& contacts) {
   return keys;
 }
 
-// Contacts that the response itself has made: pairs that are active on the way to where it led, and pairs whose
-// closest feature it has moved. Returns whether there are any.
+// Contacts that the response itself has made: pairs that are active on the way to where it led, and pairs
+// whose closest feature it has moved. Returns whether there are any.
 bool add_new_contacts(const NarrowPhase& phase, ContactCache& cache, std::vector<Contact>& contacts) {
   const std::vector<ContactKey> known = sorted_keys(contacts);
   std::vector<Contact> added;
@@ -59,7 +59,8 @@ std::vector<Contact> resolve(const NarrowPhase& phase, const ContactSettings& se
   std::vector<Contact> contacts;
   for (int pass = 0; pass < most_passes; ++pass) {
     timed(profile, Phase::broad, [&] { find_pairs(phase.geometry, settings, phase.motion, cache); });
-    const bool found = timed(profile, Phase::narrow, [&] { return add_new_contacts(phase, cache, contacts); });
+    const bool found =
+        timed(profile, Phase::narrow, [&] { return add_new_contacts(phase, cache, contacts); });
     if (!found) break;
     timed(profile, Phase::response, [&] {
       resolve_contacts(phase.geometry, phase.motion.start, settings.largest_thickness, contacts, end);

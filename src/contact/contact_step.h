@@ -18,8 +18,9 @@ struct ContactSettings {
 // From the cloths' mean edge length and thickness.
 ContactSettings contact_settings(const ContactGeometry& geometry);
 
-// What contact keeps from step to step: lists of the broad phase. None of it changes a result: it may be cleared
-// at any step (and is, at each frame's start, so that a resumed run does the same as one that never stopped).
+// What contact keeps from step to step: lists of the broad phase. None of it changes a result: it may be
+// cleared at any step (and is, at each frame's start, so that a resumed run does the same as one that never
+// stopped).
 struct ContactCache {
   std::vector<ProximityList> lists;
 };
@@ -32,8 +33,8 @@ struct ContactStepResult {
   int limited_vertices = 0;
 };
 
-// Section 5 of the paper: x** -> x(t+h). `end` comes with the elastic positions of the cloths and the aims of the
-// colliders, and leaves with what they reach.
+// Section 5 of the paper: x** -> x(t+h). `end` comes with the elastic positions of the cloths and the aims of
+// the colliders, and leaves with what they reach.
 ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSettings& settings,
                                 const std::vector<BodyMotion>& bodies, const std::vector<Vec3>& start,
                                 ContactCache& cache, Profile& profile, std::vector<Vec3>& end);

@@ -33,7 +33,8 @@ FourPoints reached(const Work& work, const ContactPair& pair) {
   return x;
 }
 
-// What parts the sides of a pair: points of the first side keep n.x >= first, those of the second n.x <= second.
+// What parts the sides of a pair: points of the first side keep n.x >= first, those of the second n.x <=
+// second.
 struct Separation {
   Vec3 normal;
   double first, second;
@@ -45,7 +46,8 @@ double approach(const FourPoints& way, const Vec3& normal, int begin, int end) {
   return fastest;
 }
 
-// The room between the sides beyond the gap, shared by speed of approach; a collider takes what it needs first.
+// The room between the sides beyond the gap, shared by speed of approach; a collider takes what it needs
+// first.
 double share_of_room(const ContactGeometry& geometry, const ContactPair& pair, double first_speed,
                      double second_speed, double room) {
   const auto bodies = pair_bodies(geometry, pair.kind, pair.vertices);
@@ -94,7 +96,8 @@ void lock(const Work& work, const ContactPair& pair, const FourPoints& start, co
 }
 
 // Whether the pair, as far as its vertices go now, keeps its gap all the way.
-bool keeps_gap(const Work& work, const ContactPair& pair, const FourPoints& start, double distance, double gap) {
+bool keeps_gap(const Work& work, const ContactPair& pair, const FourPoints& start, double distance,
+               double gap) {
   const FourPoints x = reached(work, pair);
   if (distance - relative_motion(pair.kind, start, x) > gap) return true;
   return !time_of_contact(pair.kind, start, x, gap, 0.01 * gap);
@@ -113,16 +116,18 @@ std::vector<int> pairs_at_risk(const Work& work, const ProximityList& list) {
   const Vec3 shift = frame_motion(work.phase.geometry, list, {work.phase.motion.start, work.end});
   std::vector<int> risky;
   constexpr std::size_t block = 2048;
-  parallel_collect(list.pairs.size(), block, risky, [&](std::size_t begin, std::size_t end, std::vector<int>& out) {
-    for (std::size_t p = begin; p < end; ++p) {
-      const ContactPair& pair = list.pairs[p];
-      double way = 0;
-      // A vertex that is held back lags behind the frame by the frame's own way at most.
-      for (const int v : pair.vertices)
-        way += list.travelled[v] + (work.end[v] - work.phase.motion.start[v] - shift).norm() + shift.norm();
-      if (way >= pair.expiry + pair.thickness - 2 * work.least_gap) out.push_back(static_cast<int>(p));
-    }
-  });
+  parallel_collect(
+      list.pairs.size(), block, risky, [&](std::size_t begin, std::size_t end, std::vector<int>& out) {
+        for (std::size_t p = begin; p < end; ++p) {
+          const ContactPair& pair = list.pairs[p];
+          double way = 0;
+          // A vertex that is held back lags behind the frame by the frame's own way at most.
+          for (const int v : pair.vertices)
+            way +=
+                list.travelled[v] + (work.end[v] - work.phase.motion.start[v] - shift).norm() + shift.norm();
+          if (way >= pair.expiry + pair.thickness - 2 * work.least_gap) out.push_back(static_cast<int>(p));
+        }
+      });
   return risky;
 }
 
@@ -139,26 +144,27 @@ bool collides(const Work& work, const ContactPair& pair) {
   return !keeps_gap(work, pair, start, distance, kept_gap(work, pair, distance));
 }
 
-// The watched pairs that collide as far as the vertices go now. After the first pass only those need a look of
-// which a vertex was cut in the pass before.
+// The watched pairs that collide as far as the vertices go now. After the first pass only those need a look
+// of which a vertex was cut in the pass before.
 std::vector<int> colliding_pairs(const Work& work, const Watch& watch, bool first_pass,
                                  const std::vector<char>& cut_before) {
   constexpr std::size_t block = 256;
   std::vector<int> colliding;
-  parallel_collect(watch.pairs.size(), block, colliding,
-                   [&](std::size_t begin, std::size_t end, std::vector<int>& out) {
-                     for (std::size_t w = begin; w < end; ++w) {
-                       const ContactPair& pair = watch.list.pairs[watch.pairs[w]];
-                       const auto& v = pair.vertices;
-                       const bool cut = cut_before[v[0]] || cut_before[v[1]] || cut_before[v[2]] || cut_before[v[3]];
-                       if (!watch.locked[w] && (first_pass || cut) && collides(work, pair))
-                         out.push_back(static_cast<int>(w));
-                     }
-                   });
+  parallel_collect(
+      watch.pairs.size(), block, colliding, [&](std::size_t begin, std::size_t end, std::vector<int>& out) {
+        for (std::size_t w = begin; w < end; ++w) {
+          const ContactPair& pair = watch.list.pairs[watch.pairs[w]];
+          const auto& v = pair.vertices;
+          const bool cut = cut_before[v[0]] || cut_before[v[1]] || cut_before[v[2]] || cut_before[v[3]];
+          if (!watch.locked[w] && (first_pass || cut) && collides(work, pair))
+            out.push_back(static_cast<int>(w));
+        }
+      });
   return colliding;
 }
 
-void lock_colliding_pairs(const Work& work, Watch& watch, bool first_pass, const std::vector<char>& cut_before) {
+void lock_colliding_pairs(const Work& work, Watch& watch, bool first_pass,
+                          const std::vector<char>& cut_before) {
   for (const int w : colliding_pairs(work, watch, first_pass, cut_before)) {
     const ContactPair& pair = watch.list.pairs[watch.pairs[w]];
     const FourPoints start = gather(work.phase.motion.start, pair.vertices);
@@ -169,7 +175,8 @@ void lock_colliding_pairs(const Work& work, Watch& watch, bool first_pass, const
   }
 }
 
-// Holds a vertex over a plane: the plane goes as far as it can if the vertex stays, the vertex what room is left.
+// Holds a vertex over a plane: the plane goes as far as it can if the vertex stays, the vertex what room is
+// left.
 void hold_over_plane(const Work& work, const ContactPlane& plane, int v) {
   const BodyMotion& motion = work.phase.bodies[plane.body];
   const Vec3& start = work.phase.motion.start[v];
@@ -215,7 +222,8 @@ void keep_colliders_rigid(const Work& work) {
 FailSafeResult hold_back(const NarrowPhase& phase, const std::vector<ProximityList>& lists, double least_gap,
                          std::vector<Vec3>& end) {
   const std::size_t vertices = end.size();
-  Progress progress{std::vector<double>(vertices, 1.0), std::vector<double>(phase.geometry.bodies.size(), 1.0), {}};
+  Progress progress{
+      std::vector<double>(vertices, 1.0), std::vector<double>(phase.geometry.bodies.size(), 1.0), {}};
   const Work work{phase, end, least_gap, progress};
   std::vector<Watch> watches;
   for (const ProximityList& list : lists) {

@@ -51,8 +51,9 @@ Box vertex_box(const ProximityList& list, int v, double growth) {
 }
 
 Boxes primitive_boxes(const ContactGeometry& geometry, const ProximityList& list) {
-  Boxes boxes{std::vector<Box>(geometry.vertex_body.size(), empty_box()), std::vector<Box>(geometry.edges.size()),
-              std::vector<Box>(geometry.triangles.size()), std::vector<Box>(geometry.bodies.size(), empty_box())};
+  Boxes boxes{std::vector<Box>(geometry.vertex_body.size(), empty_box()),
+              std::vector<Box>(geometry.edges.size()), std::vector<Box>(geometry.triangles.size()),
+              std::vector<Box>(geometry.bodies.size(), empty_box())};
   const auto [begin, end] = vertex_range(geometry, list);
   for (int v = begin; v < end; ++v) {
     const int body = geometry.vertex_body[v];
@@ -101,7 +102,8 @@ bool share_a_vertex(const std::array<int, 4>& v, PairKind kind) {
 }
 
 bool all_kinematic(const ContactGeometry& geometry, const std::array<int, 4>& vertices) {
-  return std::all_of(vertices.begin(), vertices.end(), [&](int v) { return geometry.inverse_masses[v] == 0; });
+  return std::all_of(vertices.begin(), vertices.end(),
+                     [&](int v) { return geometry.inverse_masses[v] == 0; });
 }
 
 // A lower bound of the pair's distance from balls round its sides: cheap, and enough for most.
@@ -159,12 +161,12 @@ void collect_overlaps(const Builder& builder, const std::vector<Box>& items, con
 
 void collect_point_triangle(const Builder& builder, const std::vector<int>& points,
                             const std::vector<int>& triangles) {
-  collect_overlaps(builder, select(builder.boxes.vertices, points), select(builder.boxes.triangles, triangles),
-                   [&](int p, int t, std::vector<ContactPair>& out) {
-                     const Triangle& triangle = builder.geometry.triangles[triangles[t]];
-                     add_pair(builder, PairKind::point_triangle,
-                              {points[p], triangle[0], triangle[1], triangle[2]}, out);
-                   });
+  collect_overlaps(
+      builder, select(builder.boxes.vertices, points), select(builder.boxes.triangles, triangles),
+      [&](int p, int t, std::vector<ContactPair>& out) {
+        const Triangle& triangle = builder.geometry.triangles[triangles[t]];
+        add_pair(builder, PairKind::point_triangle, {points[p], triangle[0], triangle[1], triangle[2]}, out);
+      });
 }
 
 void collect_edge_edge(const Builder& builder, const std::vector<int>& first, const std::vector<int>& second,
@@ -183,7 +185,8 @@ void collect_within(const Builder& builder, int body_index) {
   const Box& region = builder.boxes.bodies[body_index];
   const auto points = primitives_in(builder.boxes.vertices, body.vertex_begin, body.vertex_end, region);
   const auto edges = primitives_in(builder.boxes.edges, body.edge_begin, body.edge_end, region);
-  const auto triangles = primitives_in(builder.boxes.triangles, body.triangle_begin, body.triangle_end, region);
+  const auto triangles =
+      primitives_in(builder.boxes.triangles, body.triangle_begin, body.triangle_end, region);
   collect_point_triangle(builder, points, triangles);
   collect_edge_edge(builder, edges, edges, true);
 }

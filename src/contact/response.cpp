@@ -92,7 +92,8 @@ double push_contact(const ContactGeometry& geometry, const Contact& contact, std
   return lack;
 }
 
-// Up to `sweeps` sweeps over each group, groups in parallel, until a sweep moves nothing by more than `enough`.
+// Up to `sweeps` sweeps over each group, groups in parallel, until a sweep moves nothing by more than
+// `enough`.
 template <typename Visit>
 void sweep_groups(const CollisionGroups& groups, int sweeps, double enough, const Visit& visit) {
   parallel_for_each(groups.group_begin.size() - 1, 1, [&](std::size_t g) {
@@ -116,7 +117,8 @@ CollisionGroups group_contacts(const ContactGeometry& geometry, const std::vecto
 
   CollisionGroups groups{std::vector<int>(contacts.size()), {0}};
   std::iota(groups.order.begin(), groups.order.end(), 0);
-  std::stable_sort(groups.order.begin(), groups.order.end(), [&](int a, int b) { return roots[a] < roots[b]; });
+  std::stable_sort(groups.order.begin(), groups.order.end(),
+                   [&](int a, int b) { return roots[a] < roots[b]; });
   for (std::size_t i = 1; i <= contacts.size(); ++i)
     if (i == contacts.size() || roots[groups.order[i]] != roots[groups.order[i - 1]])
       groups.group_begin.push_back(i);

@@ -6,18 +6,19 @@
 
 namespace drape {
 
-// The paper's collision groups (section 5): contacts that share moving vertices, directly or through others, one
-// group after another. A group's contacts keep their order.
+// The paper's collision groups (section 5): contacts that share moving vertices, directly or through others,
+// one group after another. A group's contacts keep their order.
 struct CollisionGroups {
   std::vector<int> order;                // contact indices
   std::vector<std::size_t> group_begin;  // group g: order[group_begin[g] .. group_begin[g + 1])
 };
 CollisionGroups group_contacts(const ContactGeometry& geometry, const std::vector<Contact>& contacts);
 
-// Moves the step's end positions x so that every contact keeps its target: iterated, local, momentum-conserving
-// pulls (after Spillmann and Teschner 2008), as projected Gauss-Seidel on the accumulated impulses, with Coulomb
-// friction against the way since `start`. Goes on from the impulses that the contacts already hold. A group is
-// settled when a sweep moves none of its contacts by more than a hundredth of `thickness` (metres).
+// Moves the step's end positions x so that every contact keeps its target: iterated, local,
+// momentum-conserving pulls (after Spillmann and Teschner 2008), as projected Gauss-Seidel on the accumulated
+// impulses, with Coulomb friction against the way since `start`. Goes on from the impulses that the contacts
+// already hold. A group is settled when a sweep moves none of its contacts by more than a hundredth of
+// `thickness` (metres).
 void resolve_contacts(const ContactGeometry& geometry, const std::vector<Vec3>& start, double thickness,
                       std::vector<Contact>& contacts, std::vector<Vec3>& x);
 

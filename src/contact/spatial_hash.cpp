@@ -29,8 +29,9 @@ void SpatialHash::fill(const std::vector<int>& small_items) {
   entries_.resize(slot_begin_.back());
   std::vector<int> next(slot_begin_.begin(), slot_begin_.end() - 1);
   for (const int item : small_items)
-    for_each_cell(cells_of(items_[item]),
-                  [&](const Cell& cell) { entries_[next[slot_of(cell)]++] = {cell, item}; });
+    for_each_cell(cells_of(items_[item]), [&](const Cell& cell) {
+      entries_[next[slot_of(cell)]++] = {cell, item};
+    });
 }
 
 }  // namespace drape

@@ -33,10 +33,10 @@ inline void include(Box& box, const Box& other) {
   }
 }
 
-// Spatial hashing (Teschner et al. 2003, Optimized Spatial Hashing for Collision Detection of Deformable Objects):
-// each item is entered into all cells of a uniform grid that its box touches; cells are hashed into a table, which
-// is filled by a counting sort, so that its order is that of the items. Each entry keeps its exact cell: items of
-// another cell in the same slot are told apart.
+// Spatial hashing (Teschner et al. 2003, Optimized Spatial Hashing for Collision Detection of Deformable
+// Objects): each item is entered into all cells of a uniform grid that its box touches; cells are hashed into
+// a table, which is filled by a counting sort, so that its order is that of the items. Each entry keeps its
+// exact cell: items of another cell in the same slot are told apart.
 class SpatialHash {
  public:
   SpatialHash(const std::vector<Box>& items, double cell_size);
@@ -61,8 +61,10 @@ class SpatialHash {
     return {index(point[0]), index(point[1]), index(point[2])};
   }
   std::size_t slot_of(const Cell& cell) const {
-    return (static_cast<std::uint32_t>(cell[0]) * 73856093u ^ static_cast<std::uint32_t>(cell[1]) * 19349663u ^
-            static_cast<std::uint32_t>(cell[2]) * 83492791u) & slot_mask_;
+    return (static_cast<std::uint32_t>(cell[0]) * 73856093u ^
+            static_cast<std::uint32_t>(cell[1]) * 19349663u ^
+            static_cast<std::uint32_t>(cell[2]) * 83492791u) &
+           slot_mask_;
   }
   CellRange cells_of(const Box& box) const { return {cell_of(box.lower), cell_of(box.upper)}; }
   template <typename Visit>

@@ -1,7 +1,7 @@
 #pragma once
 
-// The only file that includes oneTBB. Work is cut into blocks of a fixed size that does not depend on the number
-// of threads, so a result put together block by block has the same bits with any number of threads.
+// The only file that includes oneTBB. Work is cut into blocks of a fixed size that does not depend on the
+// number of threads, so a result put together block by block has the same bits with any number of threads.
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/global_control.h>
@@ -26,8 +26,8 @@ class ThreadLimit {
   oneapi::tbb::global_control control_;
 };
 
-// Calls body(begin, end, block) for each block of `block_size` indices of [0, count). Blocks must not write to
-// the same memory.
+// Calls body(begin, end, block) for each block of `block_size` indices of [0, count). Blocks must not write
+// to the same memory.
 template <typename Body>
 void parallel_blocks(std::size_t count, std::size_t block_size, const Body& body) {
   const std::size_t blocks = (count + block_size - 1) / block_size;
@@ -56,7 +56,8 @@ void parallel_for_each(std::size_t count, std::size_t block_size, const Body& bo
 
 // The concatenation, in order, of what each block produces: body(begin, end, out) appends to `out`.
 template <typename Item, typename Body>
-void parallel_collect(std::size_t count, std::size_t block_size, std::vector<Item>& result, const Body& body) {
+void parallel_collect(std::size_t count, std::size_t block_size, std::vector<Item>& result,
+                      const Body& body) {
   std::vector<std::vector<Item>> parts((count + block_size - 1) / block_size);
   parallel_blocks(count, block_size, [&](std::size_t begin, std::size_t end, std::size_t block) {
     body(begin, end, parts[block]);

@@ -12,8 +12,8 @@ enum class Phase { elastic, broad, narrow, response, fail_safe, other };
 inline constexpr std::array<std::string_view, 6> phase_names = {"elastic",  "broad",     "narrow",
                                                                 "response", "fail_safe", "other"};
 
-// CPU seconds of the whole process by phase (all threads, so a parallel phase counts what it cost, not how long
-// it took).
+// CPU seconds of the whole process by phase (all threads, so a parallel phase counts what it cost, not how
+// long it took).
 struct Profile {
   std::array<double, phase_names.size()> cpu_seconds{};
   double& operator[](Phase phase) { return cpu_seconds[static_cast<std::size_t>(phase)]; }

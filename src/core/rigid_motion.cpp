@@ -41,10 +41,14 @@ std::pair<double, double> sin_cos_degrees(double degrees) {
   const double s = sin_near_zero(rest);
   const double c = cos_near_zero(rest);
   switch (static_cast<long long>(quarter_turns) & 3) {
-    case 0: return {s, c};
-    case 1: return {c, -s};
-    case 2: return {-s, -c};
-    default: return {-c, s};
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
   }
 }
 

@@ -14,7 +14,8 @@ struct RigidPose {
   Vec3 operator()(const Vec3& point) const { return rotation * point + translation; }
 };
 
-// (time in seconds, value), times strictly increasing. Linear between keys, constant outside them; empty is 0.
+// (time in seconds, value), times strictly increasing. Linear between keys, constant outside them; empty is
+// 0.
 using Track = std::vector<std::pair<double, double>>;
 double sample(const Track& track, double time);
 

@@ -1,6 +1,7 @@
 #pragma once
 
-// The only file that includes Eigen: vectors and matrices of the simulation (double) and of what is drawn (float).
+// The only file that includes Eigen: vectors and matrices of the simulation (double) and of what is drawn
+// (float).
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

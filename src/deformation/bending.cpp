@@ -73,8 +73,7 @@ static void for_each_hinge(const HingeStage& stage, const Body& body) {
 // sum of w_i c_i2: the residual's answer to a unit pull.
 static double compliance_of_points(const Hinge& hinge, const std::vector<double>& inverse_masses) {
   double sum = 0;
-  for (int i = 0; i < 4; ++i)
-    sum += inverse_masses[hinge.vertices[i]] * hinge.weights[i] * hinge.weights[i];
+  for (int i = 0; i < 4; ++i) sum += inverse_masses[hinge.vertices[i]] * hinge.weights[i] * hinge.weights[i];
   return sum;
 }
 

@@ -23,8 +23,8 @@ static bool well_shaped(const Sheet& sheet, const std::array<int, 3>& cluster) {
   return triangle_shape(x[a], x[b], x[c]) >= least_shape;
 }
 
-// The best of the clusters of two outer corners and one own corner; {-1, -1, -1} where none is well shaped. (The
-// corner that both neighbours share would be collinear with them on a regular grid.)
+// The best of the clusters of two outer corners and one own corner; {-1, -1, -1} where none is well shaped.
+// (The corner that both neighbours share would be collinear with them on a regular grid.)
 static std::array<int, 3> filled_cluster(const Sheet& sheet, const std::array<int, 3>& outer, int triangle) {
   std::array<int, 3> best = {-1, -1, -1};
   double best_shape = 0;
@@ -81,7 +81,8 @@ static void pull_cluster(const TriangleCluster& cluster, const std::vector<doubl
   }
 }
 
-void pull_clusters(const ClusterStage& stage, const std::vector<double>& inverse_masses, std::vector<Vec3>& x) {
+void pull_clusters(const ClusterStage& stage, const std::vector<double>& inverse_masses,
+                   std::vector<Vec3>& x) {
   constexpr std::size_t block = 256;
   for (std::size_t color = 0; color + 1 < stage.color_begin.size(); ++color) {
     const std::size_t begin = stage.color_begin[color];

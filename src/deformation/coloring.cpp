@@ -16,8 +16,10 @@ Coloring color_elements(int vertex_count, const std::vector<std::size_t>& begin,
       bool free = true;
       for (std::size_t i = begin[element]; i < begin[element + 1]; ++i)
         free = free && taken_by_color[vertices[i]] != color;
-      if (free) coloring.order.push_back(element);
-      else next.push_back(element);
+      if (free)
+        coloring.order.push_back(element);
+      else
+        next.push_back(element);
       for (std::size_t i = begin[element]; free && i < begin[element + 1]; ++i)
         taken_by_color[vertices[i]] = color;
     }

@@ -14,7 +14,8 @@ struct Coloring {
 
 // Greedy: each colour takes, in order, every element left that touches none it has taken. The vertices of
 // element e are vertices[begin[e] .. begin[e + 1]).
-Coloring color_elements(int vertex_count, const std::vector<std::size_t>& begin, const std::vector<int>& vertices);
+Coloring color_elements(int vertex_count, const std::vector<std::size_t>& begin,
+                        const std::vector<int>& vertices);
 
 // The same for elements that are arrays of vertices.
 template <typename Elements>

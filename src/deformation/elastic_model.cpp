@@ -4,9 +4,9 @@
 
 namespace drape {
 
-// The clusters' stiffness s in 1/s2, for which a uniform dilation by strain e stores the energy of a membrane,
-// k e2 per area: a point at q moves by e q, so 1/2 s sum m |e q|2 = k e2 A, with A the rest area that the cluster
-// stands for.
+// The clusters' stiffness s in 1/s2, for which a uniform dilation by strain e stores the energy of a
+// membrane, k e2 per area: a point at q moves by e q, so 1/2 s sum m |e q|2 = k e2 A, with A the rest area
+// that the cluster stands for.
 static double membrane_stiffness(const Sheet& sheet, const std::array<int, 3>& cluster,
                                  const std::vector<double>& masses, double stretch_stiffness, double area) {
   double total = 0;
@@ -31,8 +31,9 @@ static ClusterStage build_own_triangles(const Sheet& sheet, const std::vector<do
   return build_cluster_stage(sheet, own_triangles(sheet), stiffness, weights, step);
 }
 
-// An arc of curvature k shortens its chord L by the share (k L)2 / 24. The outer corners resist that shortening
-// as a membrane whose energy, at the curvature of a fold of radius L / 2, is that of bending: S (1/6)2 = B (2/L)2.
+// An arc of curvature k shortens its chord L by the share (k L)2 / 24. The outer corners resist that
+// shortening as a membrane whose energy, at the curvature of a fold of radius L / 2, is that of bending: S
+// (1/6)2 = B (2/L)2.
 static double outer_corner_membrane(double bend_stiffness, double side) {
   return 144 * bend_stiffness / (side * side);
 }
@@ -46,7 +47,8 @@ static ClusterStage build_outer_corners(const Sheet& sheet, const std::vector<do
     const auto& [a, b, c] = clusters[i];
     const std::vector<Vec3>& x = sheet.rest_positions;
     const double area = 0.5 * (x[b] - x[a]).cross(x[c] - x[a]).norm();
-    const double membrane = outer_corner_membrane(sheet.materials[materials[i]].bend_stiffness, std::sqrt(2 * area));
+    const double membrane =
+        outer_corner_membrane(sheet.materials[materials[i]].bend_stiffness, std::sqrt(2 * area));
     // A cluster of outer corners spans four triangles, and overlaps its neighbours as often.
     stiffness.push_back(membrane_stiffness(sheet, clusters[i], masses, membrane, area / 4));
   }
@@ -60,9 +62,11 @@ ElasticModel build_elastic_model(const Sheet& sheet, const std::vector<double>& 
     if (pinned[v]) weights[v] *= 1e4;
     inverse_masses[v] = pinned[v] ? 0 : 1 / masses[v];
   }
-  return {build_hinges(sheet),         build_outer_corners(sheet, masses, weights, step),
+  return {build_hinges(sheet),
+          build_outer_corners(sheet, masses, weights, step),
           build_own_triangles(sheet, masses, weights, step),
-          build_fibres(sheet, step),   std::move(inverse_masses),
+          build_fibres(sheet, step),
+          std::move(inverse_masses),
           step};
 }
 

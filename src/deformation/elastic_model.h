@@ -23,8 +23,8 @@ struct ElasticModel {
 ElasticModel build_elastic_model(const Sheet& sheet, const std::vector<double>& masses,
                                  const std::vector<char>& pinned, double step);
 
-// x* -> x**: the weak and wide stages first, so that the stiff ones have the last word. Of these the fibres go
-// before the own triangles: the other way round, a hanging sheet stretches five times as much.
+// x* -> x**: the weak and wide stages first, so that the stiff ones have the last word. Of these the fibres
+// go before the own triangles: the other way round, a hanging sheet stretches five times as much.
 void pull_to_goals(const ElasticModel& model, FibreScratch& scratch, std::vector<Vec3>& x);
 
 }  // namespace drape

@@ -7,8 +7,8 @@
 
 namespace drape {
 
-// The stiffness in N/m of an edge as a bar: its material's tension per width over the width that its triangles
-// give it (each triangle's area is shared by three edges).
+// The stiffness in N/m of an edge as a bar: its material's tension per width over the width that its
+// triangles give it (each triangle's area is shared by three edges).
 static double edge_stiffness(const Sheet& sheet, const Edge& edge, double length) {
   double stiffness = 0;
   for (const int triangle : edge.triangles)
@@ -29,7 +29,8 @@ static void append_fibre(const Sheet& sheet, const std::vector<int>& fibre, doub
   stage.vertex_begin.push_back(stage.vertices.size());
   for (std::size_t i = 0; i + 1 < fibre.size(); ++i) {
     const double length = (sheet.rest_positions[fibre[i + 1]] - sheet.rest_positions[fibre[i]]).norm();
-    const double stiffness = edge_stiffness(sheet, edge_between(sheet.topology, fibre[i], fibre[i + 1]), length);
+    const double stiffness =
+        edge_stiffness(sheet, edge_between(sheet.topology, fibre[i], fibre[i + 1]), length);
     stage.rest_lengths.push_back(length);
     stage.compliances.push_back(1 / (stiffness * step * step));
   }
@@ -59,9 +60,9 @@ struct Fibre {
 
 Fibre fibre_at(const FibreStage& stage, FibreScratch& scratch, std::size_t f) {
   const std::size_t first_vertex = stage.vertex_begin[f], first_edge = first_vertex - f;
-  return {&stage.vertices[first_vertex],     stage.vertex_begin[f + 1] - first_vertex - 1,
-          &stage.rest_lengths[first_edge],   &stage.compliances[first_edge],
-          &scratch.directions[first_edge],   &scratch.diagonal[first_edge],
+  return {&stage.vertices[first_vertex],   stage.vertex_begin[f + 1] - first_vertex - 1,
+          &stage.rest_lengths[first_edge], &stage.compliances[first_edge],
+          &scratch.directions[first_edge], &scratch.diagonal[first_edge],
           &scratch.tension[first_edge]};
 }
 

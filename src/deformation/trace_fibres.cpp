@@ -33,7 +33,8 @@ std::vector<EdgePair> straight_pairs(const Sheet& sheet, int vertex, const std::
   std::vector<EdgePair> pairs;
   for (std::size_t i = 0; i < edges.size(); ++i)
     for (std::size_t j = i + 1; j < edges.size(); ++j) {
-      const double cosine = direction_from(sheet, edges[i], vertex).dot(direction_from(sheet, edges[j], vertex));
+      const double cosine =
+          direction_from(sheet, edges[i], vertex).dot(direction_from(sheet, edges[j], vertex));
       if (cosine <= straight_enough) pairs.push_back({cosine, edges[i], edges[j]});
     }
   // Rounded, so that directions equal but for their last bits tie, and the edge numbers decide.
@@ -62,7 +63,8 @@ int continuation(const Sheet& sheet, const Continuations& next, int edge, int ve
   return next[edge][sheet.topology.edges[edge].vertices[0] == vertex ? 0 : 1];
 }
 
-// The first edge of the chain that `edge` is in, and the vertex it starts from. A loop starts at `edge` itself.
+// The first edge of the chain that `edge` is in, and the vertex it starts from. A loop starts at `edge`
+// itself.
 std::pair<int, int> chain_start(const Sheet& sheet, const Continuations& next, int edge) {
   int current = edge, vertex = sheet.topology.edges[edge].vertices[0];
   for (int before = continuation(sheet, next, current, vertex); before >= 0 && before != edge;

@@ -26,10 +26,14 @@ MatchConstants<double> match_constants(const std::array<Vec3, 3>& rest, const st
   const double q3y = q[2].norm();
   assert(q2.x() > 0);
   const double total = masses[0] + masses[1] + masses[2];
-  return {q1.x(),          q1.y(),
-          q2.x(),          q2.y(),
-          q3y,             q2.y() / q2.x(),
-          (masses[2] * q3y) / (masses[1] * q2.x()), masses[1] / total,
+  return {q1.x(),
+          q1.y(),
+          q2.x(),
+          q2.y(),
+          q3y,
+          q2.y() / q2.x(),
+          (masses[2] * q3y) / (masses[1] * q2.x()),
+          masses[1] / total,
           masses[2] / total};
 }
 

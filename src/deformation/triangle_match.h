@@ -7,8 +7,8 @@
 
 namespace drape {
 
-// The rest shape of a cluster of three points, reduced to what matching needs. In the plane of the rest triangle,
-// relative to its centre of mass and turned so that q3 = (0, q3y > 0) and q2x > 0.
+// The rest shape of a cluster of three points, reduced to what matching needs. In the plane of the rest
+// triangle, relative to its centre of mass and turned so that q3 = (0, q3y > 0) and q2x > 0.
 template <typename Scalar>
 struct MatchConstants {
   Scalar q1x, q1y, q2x, q2y, q3y;
@@ -29,12 +29,13 @@ Vector any_normal(const Vector& direction) {
   return length > 0 ? Vector(normal / length) : Vector(0, 0, 1);
 }
 
-// What takes each of the three points to its goal: the rest triangle, rotated and moved to fit the points best
-// with their masses (least squares). Section 4.1 and Appendix A of the paper in closed form: with n the normal of
-// the deformed triangle, the two columns of the optimal rotation are
+// What takes each of the three points to its goal: the rest triangle, rotated and moved to fit the points
+// best with their masses (least squares). Section 4.1 and Appendix A of the paper in closed form: with n the
+// normal of the deformed triangle, the two columns of the optimal rotation are
 //   r1 = normalise(e1 + v x n),  r2 = n x r1,  v = k1 e1 + k2 e2.
-// The appendix prints R without its normalisation, and its goals in the frame of the rest shape; both are mended
-// here. Collinear points have no normal: any unit vector across them serves. Points that all coincide stay.
+// The appendix prints R without its normalisation, and its goals in the frame of the rest shape; both are
+// mended here. Collinear points have no normal: any unit vector across them serves. Points that all coincide
+// stay.
 template <typename Scalar>
 std::array<Eigen::Matrix<Scalar, 3, 1>, 3> match_displacements(const MatchConstants<Scalar>& rest,
                                                                const Eigen::Matrix<Scalar, 3, 1>& x1,

@@ -15,7 +15,9 @@ ColliderPrimitives mesh_primitives(const TriangleMesh& mesh) {
 
 struct MakePrimitives {
   ColliderPrimitives operator()(const PlaneShape&) const { return {}; }
-  ColliderPrimitives operator()(const SphereShape& sphere) const { return {{Vec3::Zero()}, {}, {}, sphere.radius}; }
+  ColliderPrimitives operator()(const SphereShape& sphere) const {
+    return {{Vec3::Zero()}, {}, {}, sphere.radius};
+  }
   ColliderPrimitives operator()(const BoxShape& box) const { return mesh_primitives(make_box(box.size)); }
   ColliderPrimitives operator()(const CapsuleShape& capsule) const {
     const Vec3 half(0, 0.5 * capsule.length, 0);
@@ -26,6 +28,8 @@ struct MakePrimitives {
 
 }  // namespace
 
-ColliderPrimitives collider_primitives(const ColliderShape& shape) { return std::visit(MakePrimitives{}, shape); }
+ColliderPrimitives collider_primitives(const ColliderShape& shape) {
+  return std::visit(MakePrimitives{}, shape);
+}
 
 }  // namespace drape

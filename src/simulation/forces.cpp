@@ -5,10 +5,11 @@
 
 namespace drape {
 
-// The pressure of moving air on one triangle, along its normal: 1/2 rho C v_n |v_n| A with v_n the normal part of
-// the wind relative to the triangle; a third goes to each corner. Cut to what takes the relative motion away in one
-// step, which air cannot outdo.
-static void blow_on_triangle(const World& world, int t, const std::vector<Vec3>& x, std::vector<Vec3>& velocities) {
+// The pressure of moving air on one triangle, along its normal: 1/2 rho C v_n |v_n| A with v_n the normal
+// part of the wind relative to the triangle; a third goes to each corner. Cut to what takes the relative
+// motion away in one step, which air cannot outdo.
+static void blow_on_triangle(const World& world, int t, const std::vector<Vec3>& x,
+                             std::vector<Vec3>& velocities) {
   constexpr double air_density = 1.2;  // kg/m3
   const auto& [a, b, c] = world.sheet.triangles[t];
   const Vec3 cross = (x[b] - x[a]).cross(x[c] - x[a]);
@@ -25,7 +26,8 @@ static void blow_on_triangle(const World& world, int t, const std::vector<Vec3>&
   }
 }
 
-void apply_external_forces(const World& world, const std::vector<Vec3>& positions, std::vector<Vec3>& velocities) {
+void apply_external_forces(const World& world, const std::vector<Vec3>& positions,
+                           std::vector<Vec3>& velocities) {
   const bool windy = world.input.wind.drag > 0 && !world.input.wind.velocity.isZero(0);
   for (int t = 0; windy && t < static_cast<int>(world.sheet.triangles.size()); ++t)
     blow_on_triangle(world, t, positions, velocities);

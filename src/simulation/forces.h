@@ -8,6 +8,7 @@
 namespace drape {
 
 // Gravity and wind over one step, into the velocities. Pinned points are left alone.
-void apply_external_forces(const World& world, const std::vector<Vec3>& positions, std::vector<Vec3>& velocities);
+void apply_external_forces(const World& world, const std::vector<Vec3>& positions,
+                           std::vector<Vec3>& velocities);
 
 }  // namespace drape

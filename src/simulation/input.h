@@ -12,12 +12,12 @@
 namespace drape {
 
 struct ClothMaterial {
-  double density = 0.2;            // kg/m2
-  double thickness = 0.005;        // m: the distance that contact keeps between mid-surfaces
+  double density = 0.2;             // kg/m2
+  double thickness = 0.005;         // m: the distance that contact keeps between mid-surfaces
   double stretch_stiffness = 5000;  // N/m: tension per width at a strain of 1
-  double bend_stiffness = 1e-5;    // N m: flexural rigidity
-  double damping = 2;              // 1/s: the rate at which bending motion dies
-  double friction = 0.3;           // Coulomb's coefficient
+  double bend_stiffness = 1e-5;     // N m: flexural rigidity
+  double damping = 2;               // 1/s: the rate at which bending motion dies
+  double friction = 0.3;            // Coulomb's coefficient
 };
 
 // Vertices that follow a motion, or stay where they start. `motion` turns about the centroid of the vertices.
@@ -35,11 +35,20 @@ struct ClothInput {
   std::vector<PinInput> pins;
 };
 
-struct PlaneShape {};                                    // y <= 0 of its own frame is solid
-struct SphereShape { double radius; };
-struct BoxShape { Vec3 size; };
-struct CapsuleShape { double radius; double length; };   // along its own y, length between the two centres
-struct MeshShape { TriangleMesh mesh; };
+struct PlaneShape {};  // y <= 0 of its own frame is solid
+struct SphereShape {
+  double radius;
+};
+struct BoxShape {
+  Vec3 size;
+};
+struct CapsuleShape {
+  double radius;
+  double length;
+};  // along its own y, length between the two centres
+struct MeshShape {
+  TriangleMesh mesh;
+};
 using ColliderShape = std::variant<PlaneShape, SphereShape, BoxShape, CapsuleShape, MeshShape>;
 
 struct ColliderInput {

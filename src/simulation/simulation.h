@@ -11,12 +11,12 @@ namespace drape {
 
 // All that changes from step to step: what a hash and a checkpoint cover.
 struct State {
-  int frame = 0;                     // frames advanced; the time is frame * frame_duration
-  std::vector<Vec3> positions;       // of all cloths, one after another, in m
-  std::vector<Vec3> velocities;      // m/s
-  std::vector<Vec3> collider_points;    // the vertices of all colliders, where they really are
-  std::vector<double> collider_times;   // seconds: how far each collider has come on its way; a collider that
-                                        // cloth holds up lags behind the state's time, and catches up
+  int frame = 0;                       // frames advanced; the time is frame * frame_duration
+  std::vector<Vec3> positions;         // of all cloths, one after another, in m
+  std::vector<Vec3> velocities;        // m/s
+  std::vector<Vec3> collider_points;   // the vertices of all colliders, where they really are
+  std::vector<double> collider_times;  // seconds: how far each collider has come on its way; a collider that
+                                       // cloth holds up lags behind the state's time, and catches up
   std::vector<RigidPose> collider_poses;  // the poses at these times: what is drawn
 };
 std::uint64_t state_hash(const State& state);
@@ -25,12 +25,12 @@ struct FrameStatistics {
   double largest_stretch = 1;  // edge length over rest length
   double p99_stretch = 1;
   double smallest_stretch = 1;
-  int contacts = 0;             // at the frame's last step
-  int limited_vertices = 0;     // summed over the frame's steps: vertices that the fail-safe held back
-  double kinetic_energy = 0;    // J
-  double largest_speed = 0;     // m/s
-  double largest_lag = 0;       // seconds that a collider is behind its keyframes
-  Profile profile;              // CPU seconds of this frame
+  int contacts = 0;           // at the frame's last step
+  int limited_vertices = 0;   // summed over the frame's steps: vertices that the fail-safe held back
+  double kinetic_energy = 0;  // J
+  double largest_speed = 0;   // m/s
+  double largest_lag = 0;     // seconds that a collider is behind its keyframes
+  Profile profile;            // CPU seconds of this frame
 };
 
 // A simulation of one scene: the same input gives the same bits with any number of threads.
@@ -42,7 +42,7 @@ class Simulation {
 
   FrameStatistics advance_frame();  // throws SimulationError where values are no longer finite
   const State& state() const;
-  void restore(State state);        // goes on from a checkpoint of the same input
+  void restore(State state);  // goes on from a checkpoint of the same input
   const SimulationInput& input() const;
   int steps_per_frame() const;
 

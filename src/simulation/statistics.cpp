@@ -21,7 +21,8 @@ FrameStatistics measure(const World& world, const State& state) {
   const auto [smallest, largest] = std::minmax_element(stretches.begin(), stretches.end());
   statistics.smallest_stretch = *smallest;
   statistics.largest_stretch = *largest;
-  const auto p99 = stretches.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(stretches.size() - 1));
+  const auto p99 =
+      stretches.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(stretches.size() - 1));
   std::nth_element(stretches.begin(), p99, stretches.end());
   statistics.p99_stretch = *p99;
   for (std::size_t v = 0; v < state.velocities.size(); ++v) {

@@ -20,7 +20,6 @@ void gather_start(const State& state, Scratch& scratch) {
 
 // Section 3: external forces, and x* = x + h v. Pinned points go where their pins go.
 void predict(const World& world, double time, State& state, Scratch& scratch) {
-  damp_bending(world.elastic.hinges, world.elastic.inverse_masses, world.step, state.velocities);
   apply_external_forces(world, state.positions, state.velocities);
   for (std::size_t v = 0; v < state.positions.size(); ++v)
     if (!world.pinned[v]) scratch.end[v] += world.step * state.velocities[v];
@@ -29,9 +28,18 @@ void predict(const World& world, double time, State& state, Scratch& scratch) {
       if (world.pinned[pin.vertices[i]]) scratch.end[pin.vertices[i]] = pin_position(pin, i, time);
 }
 
-// Section 4: x* -> x**. Pieces that nothing holds keep their angular momentum.
-void pull(const World& world, Scratch& scratch) {
+// Takes from x* what damping takes from the velocities.
+void damp(const World& world, State& state, Scratch& scratch) {
+  scratch.undamped = state.velocities;
+  damp_bending(world.elastic.hinges, world.elastic.inverse_masses, world.step, state.velocities);
+  for (std::size_t v = 0; v < state.positions.size(); ++v)
+    if (!world.pinned[v]) scratch.end[v] += world.step * (state.velocities[v] - scratch.undamped[v]);
+}
+
+// Section 4: x* -> x**. Pieces that nothing holds keep the angular momentum that they were predicted with.
+void pull(const World& world, State& state, Scratch& scratch) {
   scratch.predicted = scratch.end;
+  damp(world, state, scratch);
   pull_to_goals(world.elastic, scratch.fibres, scratch.end);
   for (const FreePiece& piece : world.free_pieces)
     restore_angular_momentum(piece, world.masses, scratch.start, scratch.predicted, scratch.end);
@@ -74,17 +82,17 @@ void integrate(const World& world, const ContactStepResult& contact, State& stat
 
 }  // namespace
 
-ContactStepResult advance_step(const World& world, double time, State& state, Scratch& scratch, Profile& profile) {
+ContactStepResult advance_step(const World& world, double time, State& state, Scratch& scratch,
+                               Profile& profile) {
   timed(profile, Phase::elastic, [&] {
     gather_start(state, scratch);
     predict(world, time, state, scratch);
-    pull(world, scratch);
+    pull(world, state, scratch);
   });
   check_finite(scratch.end);
   timed(profile, Phase::other, [&] { aim_colliders(world, time, state, scratch); });
-  const ContactStepResult contact =
-      step_contacts(world.geometry, world.contact_settings, scratch.bodies, scratch.start, scratch.contacts, profile,
-                    scratch.end);
+  const ContactStepResult contact = step_contacts(world.geometry, world.contact_settings, scratch.bodies,
+                                                  scratch.start, scratch.contacts, profile, scratch.end);
   timed(profile, Phase::other, [&] { integrate(world, contact, state, scratch); });
   return contact;
 }

@@ -13,6 +13,7 @@ namespace drape {
 struct Scratch {
   std::vector<Vec3> start, end;  // of all contact vertices: cloths, then colliders
   std::vector<Vec3> predicted;   // x*
+  std::vector<Vec3> undamped;    // velocities
   std::vector<BodyMotion> bodies;
   std::vector<double> collider_aims;  // seconds: the time on its way that each collider makes for
   FibreScratch fibres;
@@ -20,6 +21,7 @@ struct Scratch {
 };
 
 // One step of the paper's loop (section 3), from time - step to `time`.
-ContactStepResult advance_step(const World& world, double time, State& state, Scratch& scratch, Profile& profile);
+ContactStepResult advance_step(const World& world, double time, State& state, Scratch& scratch,
+                               Profile& profile);
 
 }  // namespace drape

@@ -15,7 +15,8 @@ Sheet build_sheet(const SimulationInput& input) {
     const ClothMaterial& material = cloth.material;
     const std::vector<Vec3>& rest = cloth.mesh.positions;
     sheet.rest_positions.insert(sheet.rest_positions.end(), rest.begin(), rest.end());
-    for (const auto& [a, b, c] : cloth.mesh.triangles) sheet.triangles.push_back({a + first, b + first, c + first});
+    for (const auto& [a, b, c] : cloth.mesh.triangles)
+      sheet.triangles.push_back({a + first, b + first, c + first});
     sheet.triangle_materials.resize(sheet.triangles.size(), static_cast<int>(sheet.materials.size()));
     sheet.materials.push_back(
         {material.density, material.stretch_stiffness, material.bend_stiffness, material.damping});
@@ -36,7 +37,8 @@ void add_cloth_body(const Sheet& sheet, const ClothInput& cloth, ContactGeometry
     if (edge.vertices[0] >= body.vertex_begin && edge.vertices[0] < body.vertex_end)
       geometry.edges.push_back(edge.vertices);
   for (const Triangle& triangle : sheet.triangles)
-    if (triangle[0] >= body.vertex_begin && triangle[0] < body.vertex_end) geometry.triangles.push_back(triangle);
+    if (triangle[0] >= body.vertex_begin && triangle[0] < body.vertex_end)
+      geometry.triangles.push_back(triangle);
   body.edge_end = static_cast<int>(geometry.edges.size());
   body.triangle_end = static_cast<int>(geometry.triangles.size());
   geometry.vertex_body.resize(body.vertex_end, static_cast<int>(geometry.bodies.size()));
@@ -55,13 +57,15 @@ void add_collider_body(const ColliderInput& collider, const ColliderPrimitives& 
   body.triangle_begin = static_cast<int>(geometry.triangles.size());
   const int first = body.vertex_begin;
   for (const auto& [a, b] : primitives.edges) geometry.edges.push_back({a + first, b + first});
-  for (const auto& [a, b, c] : primitives.triangles) geometry.triangles.push_back({a + first, b + first, c + first});
+  for (const auto& [a, b, c] : primitives.triangles)
+    geometry.triangles.push_back({a + first, b + first, c + first});
   body.edge_end = static_cast<int>(geometry.edges.size());
   body.triangle_end = static_cast<int>(geometry.triangles.size());
   const int index = static_cast<int>(geometry.bodies.size());
   if (std::holds_alternative<PlaneShape>(collider.shape)) geometry.planes.push_back({index});
   geometry.vertex_body.resize(body.vertex_end, index);
-  geometry.rest_positions.insert(geometry.rest_positions.end(), primitives.points.begin(), primitives.points.end());
+  geometry.rest_positions.insert(geometry.rest_positions.end(), primitives.points.begin(),
+                                 primitives.points.end());
   geometry.bodies.push_back(body);
 }
 

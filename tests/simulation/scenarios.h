@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "simulation/simulation.h"
+
+namespace drape::test {
+
+// A square sheet of `points` x `points` in the plane y = `height`, its rest shape flat.
+ClothInput sheet(double side, int points, double height);
+
+// The same, standing in the plane z = 0 with its lower edge at y = `height`.
+ClothInput standing_sheet(double side, int points, double height);
+
+SimulationInput simulate_alone(ClothInput cloth);
+
+ColliderInput ground();
+
+Vec3 linear_momentum(const Simulation& simulation);
+Vec3 angular_momentum(const Simulation& simulation);  // about the origin
+
+// The number of intersecting pairs among the cloths' triangles, in floats.
+int intersecting_pairs(const Simulation& simulation);
+
+// The lowest point of all cloths.
+double lowest_point(const Simulation& simulation);
+
+FrameStatistics advance(Simulation& simulation, int frames);
+
+}  // namespace drape::test
