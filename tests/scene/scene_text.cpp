@@ -1,31 +1,11 @@
 #include "scene/scene_text.h"
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
 #include "core/error.h"
-#include "core/file.h"
 
 namespace drape {
 namespace fs = std::filesystem;
 
 const std::string smallest_scene = "version: 1\ncloths: {a: {grid: {size: [1, 1], points: [3, 3]}}}\n";
-
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (fs::temp_directory_path() / "drape_scene_XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw FileError(name, "no temporary folder");
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
-fs::path TemporaryFolder::write(const std::string& name, const std::string& content) const {
-  write_file(path_ / name, content);
-  return path_ / name;
-}
 
 SceneDescription load_text(const std::string& text, const std::vector<std::string>& overrides) {
   const TemporaryFolder folder;

@@ -5,22 +5,11 @@
 #include <vector>
 
 #include "scene/load.h"
+#include "temporary_folder.h"
 
 namespace drape {
 
-// A folder of its own for one test, gone with it.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path write(const std::string& name, const std::string& content) const;
-
- private:
-  std::filesystem::path path_;
-};
+using test::TemporaryFolder;
 
 // The least that a scene can be, for keys to be added to.
 extern const std::string smallest_scene;
