@@ -1,0 +1,91 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "app/manifest.h"
+#include "app/run_program.h"
+#include "core/file.h"
+#include "simulation/cache.h"
+
+namespace drape::app {
+namespace {
+namespace fs = std::filesystem;
+
+class Resume : public testing::Test {
+ protected:
+  Finished simulate(const std::string& output, int frames) {
+    return run_drape({"simulate", scene, "-o", (folder / output).string(), "-D",
+                      "time.frames=1-" + std::to_string(frames)});
+  }
+  Manifest manifest(const std::string& output) { return *read_manifest(folder / (output + "/run.json")); }
+
+  TemporaryFolder folder;
+  std::string scene = write_scene(folder, "scene", 12, 10);
+};
+
+TEST_F(Resume, GivesTheBitsOfARunThatWasNeverStopped) {
+  ASSERT_EQ(simulate("whole", 12).exit_status, 0);
+  ASSERT_EQ(simulate("parts", 5).exit_status, 0);
+  const Finished second = simulate("parts", 12);
+  EXPECT_NE(second.err.find("goes on after frame 5"), std::string::npos) << second.err;
+  EXPECT_EQ(content_of_folder(folder / "parts/cache"), content_of_folder(folder / "whole/cache"));
+  const Manifest parts = manifest("parts");
+  ASSERT_EQ(parts.frames.size(), 12u);
+  for (const auto& [frame, record] : manifest("whole").frames) {
+    EXPECT_EQ(parts.frames.at(frame).state_hash, record.state_hash) << frame;
+    EXPECT_EQ(parts.frames.at(frame).statistics.contacts, record.statistics.contacts) << frame;
+  }
+}
+
+TEST_F(Resume, DoesNothingWhereAllIsDone) {
+  simulate("out", 5);
+  const std::string before = read_file(folder / "out/run.json");
+  EXPECT_NE(simulate("out", 5).err.find("every frame is in the cache already"), std::string::npos);
+  EXPECT_EQ(read_file(folder / "out/run.json"), before);
+}
+
+TEST_F(Resume, NeverMixesFramesOfTwoSettings) {
+  simulate("out", 5);
+  const auto before = manifest("out").frames.at(5).state_hash;
+  const Finished other = run_drape(
+      {"simulate", scene, "-o", (folder / "out").string(), "-D", "time.frames=1-5", "-D", "time.step=2 ms"});
+  EXPECT_EQ(other.exit_status, 0);
+  EXPECT_EQ(other.err.find("goes on"), std::string::npos);
+  EXPECT_NE(manifest("out").frames.at(5).state_hash, before);
+  // The pictures of the first settings can no longer be drawn, and the program says so.
+  EXPECT_EQ(run_drape({"render", scene, "-o", (folder / "out").string()}).exit_status, 3);
+}
+
+TEST_F(Resume, StartsAnewWhereAFrameIsDamaged) {
+  simulate("whole", 12);
+  simulate("out", 5);
+  const fs::path frame = cached_frame_path(folder / "out/cache", 3);
+  write_file(frame, read_file(frame).substr(0, 100));
+  EXPECT_EQ(simulate("out", 12).exit_status, 0);
+  EXPECT_EQ(content_of_folder(folder / "out/cache"), content_of_folder(folder / "whole/cache"));
+}
+
+TEST_F(Resume, StartsAnewWhereTheCheckpointIsDamaged) {
+  simulate("out", 5);
+  const fs::path checkpoint = folder / "out/cache/checkpoint.drape";
+  ASSERT_TRUE(fs::exists(checkpoint));
+  write_file(checkpoint, read_file(checkpoint).substr(0, 100));
+  const Finished again = simulate("out", 6);
+  EXPECT_EQ(again.exit_status, 0);
+  EXPECT_NE(again.err.find("warning"), std::string::npos);
+}
+
+TEST_F(Resume, StartsAnewAfterAnotherBuildUnlessToldOtherwise) {
+  simulate("out", 5);
+  Manifest changed = manifest("out");
+  changed.build = 1;
+  write_manifest(folder / "out/run.json", changed);
+  const Finished resumed =
+      run_drape({"simulate", (folder / "out").string(), "--resume", "-D", "time.frames=1-6"});
+  EXPECT_NE(resumed.err.find("goes on after frame 5"), std::string::npos) << resumed.err;
+  write_manifest(folder / "out/run.json", changed);
+  EXPECT_NE(simulate("out", 6).err.find("another build"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace drape::app
