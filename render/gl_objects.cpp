@@ -22,7 +22,9 @@ GlObject make_framebuffer(const GlFunctions& gl) {
           [](const GlFunctions& functions, GLuint frame) { functions.DeleteFramebuffers(1, &frame); }};
 }
 
-static bool is_depth(GLint internal_format) { return internal_format == GL_DEPTH_COMPONENT32F; }
+static bool is_depth(GLint internal_format) {
+  return internal_format == GL_DEPTH_COMPONENT32F || internal_format == GL_DEPTH_COMPONENT16;
+}
 
 GlObject make_texture(const GlFunctions& gl, GLint internal_format, int width, int height) {
   GLuint id = 0;

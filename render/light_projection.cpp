@@ -9,7 +9,7 @@
 namespace drape::render {
 
 // Wide enough for the offset and the scatter of the taps (shaders/shadow.glsl).
-static constexpr float border_texels = 5;
+static constexpr float border_texels = 9;
 
 static Mat4f map_from_clip(int map_size) {
   const float half = 0.5f * static_cast<float>(map_size);

@@ -55,7 +55,10 @@ PassSample sample_pass(int pass, int passes) {
   PassSample sample;
   const Vec2f pixel = lattice(shuffled(pass, passes, 0.382f), passes);
   sample.pixel_offset = {tent(pixel.x()), tent(pixel.y())};
-  sample.sun_disc = disc(lattice(shuffled(pass, passes, 0.618f), passes));
+  for (int i = 0; i < sun_places; ++i) {
+    const int index = shuffled(pass * sun_places + i, passes * sun_places, 0.618f);
+    sample.sun_disc[i] = disc(lattice(index, passes * sun_places));
+  }
   const int upper = sky_directions - 1;
   for (int i = 0; i < upper; ++i) sample.sky[i] = sample_sky(pass * upper + i, passes * upper);
   sample.sky[upper] = sample_below(shuffled(pass, passes, 0.5f), passes);

@@ -10,6 +10,9 @@ namespace drape::render {
 // the last comes from below the horizon, the others from the sky.
 inline constexpr int sky_directions = 4;
 
+// And so many places on the sun's disc.
+inline constexpr int sun_places = 2;
+
 struct SkySample {
   Vec3f direction;    // toward the light
   float solid_angle;  // that this direction stands for
@@ -18,8 +21,8 @@ struct SkySample {
 // Where one pass of the accumulation takes its samples. The samples of all passes together are evenly spread
 // in each of the dimensions; they are the same for every frame, so what stands still does not flicker.
 struct PassSample {
-  Vec2f pixel_offset;  // from the centre, in pixels
-  Vec2f sun_disc;      // in the unit disc
+  Vec2f pixel_offset;                      // from the centre, in pixels
+  std::array<Vec2f, sun_places> sun_disc;  // in the unit disc
   std::array<SkySample, sky_directions> sky;
   float jitter_phase;  // of the noise that differs from pixel to pixel, in [0, 1)
 };

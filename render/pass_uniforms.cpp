@@ -37,12 +37,17 @@ static Vec3f sunlit_ground_radiance(const View& view) {
   return irradiance.cwiseProduct(linear_from_srgb(view.ground.color)) / std::numbers::pi_v<float>;
 }
 
-std::string pass_defines() { return "#define SKY_DIRECTIONS " + std::to_string(sky_directions) + "\n"; }
+std::string pass_defines() {
+  return "#define SKY_DIRECTIONS " + std::to_string(sky_directions) + "\n#define SUN_PLACES " +
+         std::to_string(sun_places) + "\n";
+}
 
 PassLights aim_lights(const View& view, const PassSample& sample, const Sphere& casters, int sun_map_size,
                       int sky_map_size) {
-  const Vec3f to_sun = direction_to_sun(view.sun, sample.sun_disc);
-  PassLights lights{to_sun, fit_light(to_sun, casters, sun_map_size), {}};
+  PassLights lights;
+  for (int i = 0; i < sun_places; ++i) {
+    lights.sun[i] = fit_light(direction_to_sun(view.sun, sample.sun_disc[i]), casters, sun_map_size);
+  }
   for (int i = 0; i < sky_directions; ++i) {
     lights.sky[i] = fit_light(sample.sky[i].direction, casters, sky_map_size);
   }
@@ -54,9 +59,9 @@ PassUniforms pass_uniforms(const View& view, const Settings& settings, const Sph
   const Camera& camera = view.camera;
   PassUniforms uniforms;
   uniforms.clip_from_world = camera_projection(view, settings, scene, sample.pixel_offset);
-  uniforms.sun_map_from_world = lights.sun.map_from_world;
   uniforms.eye = extend(camera.eye, sample.jitter_phase);
-  uniforms.sun_direction = extend(lights.to_sun, lights.sun.texel_size);
+  uniforms.sun_direction = extend(direction_to_sun(view.sun, sample.sun_disc[0]), lights.sun[0].texel_size);
+  for (int i = 0; i < sun_places; ++i) uniforms.sun_map_from_world[i] = lights.sun[i].map_from_world;
   uniforms.sun_irradiance = extend(sun_irradiance(view.sun), 0);
   for (int i = 0; i < sky_directions; ++i) {
     const SkySample& sky = sample.sky[i];

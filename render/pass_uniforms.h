@@ -12,7 +12,7 @@ namespace drape::render {
 // The memory of the uniform block of shaders/pass.glsl (std140: only vectors and matrices of four).
 struct PassUniforms {
   Mat4f clip_from_world;
-  Mat4f sun_map_from_world;
+  std::array<Mat4f, sun_places> sun_map_from_world;
   std::array<Mat4f, sky_directions> sky_map_from_world;
   Vec4f eye;
   Vec4f sun_direction;
@@ -26,8 +26,7 @@ struct PassUniforms {
 
 // The lights of a pass and how their maps look at the scene.
 struct PassLights {
-  Vec3f to_sun;
-  LightProjection sun;
+  std::array<LightProjection, sun_places> sun;
   std::array<LightProjection, sky_directions> sky;
 };
 

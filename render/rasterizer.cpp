@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <stdexcept>
 
 #include "render/context.h"
@@ -11,7 +12,7 @@
 
 namespace drape::render {
 
-static constexpr int sun_map_size = 2048;
+static constexpr int sun_map_size = 1536;
 static constexpr int sky_map_size = 1024;
 
 // The targets that have the size of the picture: one pass, the sum of the passes, and what a screen shows.
@@ -36,7 +37,7 @@ struct Rasterizer::State {
   ShaderProgram develop_program{gl, "", {"fullscreen.vert"}, {"noise.glsl", "develop.frag"}};
   GlObject no_attributes = make_vertex_array(gl);
   GlObject pass_block = make_buffer(gl);
-  RenderTarget sun_map = make_shadow_target(gl, sun_map_size, sun_map_size);
+  RenderTarget sun_map = make_shadow_target(gl, sun_places* sun_map_size, sun_map_size);
   RenderTarget sky_map = make_shadow_target(gl, sky_directions* sky_map_size, sky_map_size);
   std::optional<PictureTargets> targets;
 
@@ -44,7 +45,8 @@ struct Rasterizer::State {
   ~State() { context.make_current(); }
   void fit_targets(int width, int height);
   void bind_texture(GLint unit, const RenderTarget& target) const;
-  void draw_shadow_maps(const SceneBuffers& scene, const PassLights& lights) const;
+  void draw_shadow_maps(const RenderTarget& map, std::span<const LightProjection> lights,
+                        const SceneBuffers& scene) const;
   void draw_pass(const SceneBuffers& scene, const View& view, const Settings& settings,
                  const PassSample& sample);
   void draw_fullscreen() const;
@@ -53,6 +55,7 @@ struct Rasterizer::State {
 };
 
 Rasterizer::State::State() {
+  gl.DepthFunc(GL_LEQUAL);
   gl.CullFace(GL_BACK);
   gl.ClearColor(0, 0, 0, 0);
   gl.BlendFunc(GL_ONE, GL_ONE);
@@ -73,26 +76,27 @@ void Rasterizer::State::bind_texture(GLint unit, const RenderTarget& target) con
   gl.BindTexture(GL_TEXTURE_2D, target.texture.id());
 }
 
-void Rasterizer::State::draw_shadow_maps(const SceneBuffers& scene, const PassLights& lights) const {
-  bind_target(gl, sun_map);
+void Rasterizer::State::draw_shadow_maps(const RenderTarget& map, std::span<const LightProjection> lights,
+                                         const SceneBuffers& scene) const {
+  bind_target(gl, map);
   gl.Clear(GL_DEPTH_BUFFER_BIT);
-  draw_depth(gl, depth_program, lights.sun.clip_from_world, scene);
-  bind_target(gl, sky_map);
-  gl.Clear(GL_DEPTH_BUFFER_BIT);
-  for (int i = 0; i < sky_directions; ++i) {
-    gl.Viewport(i * sky_map_size, 0, sky_map_size, sky_map_size);
-    draw_depth(gl, depth_program, lights.sky[i].clip_from_world, scene);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    gl.Viewport(static_cast<GLint>(i) * map.height, 0, map.height, map.height);
+    draw_shadow_depth(gl, depth_program, lights[i].clip_from_world, scene);
   }
 }
 
 void Rasterizer::State::draw_pass(const SceneBuffers& scene, const View& view, const Settings& settings,
                                   const PassSample& sample) {
   const PassLights lights = aim_lights(view, sample, scene.bounds, sun_map_size, sky_map_size);
-  draw_shadow_maps(scene, lights);
+  draw_shadow_maps(sun_map, lights.sun, scene);
+  draw_shadow_maps(sky_map, lights.sky, scene);
   const PassUniforms uniforms = pass_uniforms(view, settings, scene.bounds, sample, lights);
   gl.BindBufferBase(GL_UNIFORM_BUFFER, pass_block_binding, pass_block.id());
   gl.BufferData(GL_UNIFORM_BUFFER, sizeof uniforms, &uniforms, GL_STREAM_DRAW);
   bind_target(gl, targets->pass);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  draw_depth(gl, depth_program, uniforms.clip_from_world, scene);
   draw_radiance(gl, surface_programs, view.ground, scene);
 }
 

@@ -33,7 +33,7 @@ static RenderTarget start_target(const GlFunctions& gl, GLint format, int width,
 }
 
 RenderTarget make_shadow_target(const GlFunctions& gl, int width, int height) {
-  RenderTarget target = start_target(gl, GL_DEPTH_COMPONENT32F, width, height);
+  RenderTarget target = start_target(gl, GL_DEPTH_COMPONENT16, width, height);
   attach(gl, GL_DEPTH_ATTACHMENT, target.texture);
   gl.DrawBuffer(GL_NONE);
   gl.ReadBuffer(GL_NONE);

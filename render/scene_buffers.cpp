@@ -12,11 +12,16 @@ SceneBuffers upload_scene(const GlFunctions& gl, const std::vector<Surface>& sur
 void draw_depth(const GlFunctions& gl, const ShaderProgram& depth_program, const Mat4f& clip_from_world,
                 const SceneBuffers& scene) {
   gl.Enable(GL_DEPTH_TEST);
-  gl.Enable(GL_POLYGON_OFFSET_FILL);
-  gl.PolygonOffset(1, 1);
   depth_program.use();
   depth_program.set("clip_from_position", clip_from_world);
   for (const SurfaceBuffers& buffers : scene.buffers) draw_surface(gl, buffers);
+}
+
+void draw_shadow_depth(const GlFunctions& gl, const ShaderProgram& depth_program,
+                       const Mat4f& clip_from_world, const SceneBuffers& scene) {
+  gl.Enable(GL_POLYGON_OFFSET_FILL);
+  gl.PolygonOffset(1, 1);
+  draw_depth(gl, depth_program, clip_from_world, scene);
   gl.Disable(GL_POLYGON_OFFSET_FILL);
 }
 
@@ -44,7 +49,6 @@ static void draw_ground(const GlFunctions& gl, SurfacePrograms& programs, const 
 void draw_radiance(const GlFunctions& gl, SurfacePrograms& programs, const Ground& ground,
                    const SceneBuffers& scene) {
   gl.Enable(GL_DEPTH_TEST);
-  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   draw_surfaces(gl, programs, scene);
   if (ground.visible) draw_ground(gl, programs, ground, scene);
 }

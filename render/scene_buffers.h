@@ -23,8 +23,13 @@ SceneBuffers upload_scene(const GlFunctions& gl, const std::vector<Surface>& sur
 void draw_depth(const GlFunctions& gl, const ShaderProgram& depth_program, const Mat4f& clip_from_world,
                 const SceneBuffers& scene);
 
-// Radiance, into the bound target, as the bound block of pass uniforms says. Alpha is the share of the pixel
-// that is not backdrop; colours are multiplied by it.
+// The same for a shadow map: a little away from the light, so that no surface shades itself.
+void draw_shadow_depth(const GlFunctions& gl, const ShaderProgram& depth_program,
+                       const Mat4f& clip_from_world, const SceneBuffers& scene);
+
+// Radiance, into the bound target, as the bound block of pass uniforms says; its depth must have been drawn,
+// so that only what is seen is shaded. Alpha is the share of the pixel that is not backdrop; colours are
+// multiplied by it.
 void draw_radiance(const GlFunctions& gl, SurfacePrograms& programs, const Ground& ground,
                    const SceneBuffers& scene);
 

@@ -22,12 +22,13 @@ vec3 pattern(vec3 base, vec2 x, vec2 width) {
   return mix(base, accent, a + b - 2.0 * a * b);
 }
 #elif PATTERN == PATTERN_STRIPE
-vec3 pattern(vec3 base, vec2 x, vec2 width) { return mix(base, accent, band(x.x, width.x, 0.0, 0.5)); }
+// The seam of a repeat lies within a band: else a hem, half a pixel of which lies beyond it, would be edged.
+vec3 pattern(vec3 base, vec2 x, vec2 width) { return mix(base, accent, band(x.x, width.x, 0.25, 0.75)); }
 #elif PATTERN == PATTERN_TARTAN
-// One set of threads: a broad dark band edged by two fine light lines, and one fine line between the bands.
+// One set of threads: a broad dark band with a fine light line along each edge and a finer one in its middle.
 vec3 threads(vec3 base, float x, float width) {
   vec3 shade = mix(base, 0.18 * base, band(x, width, 0.28, 0.72));
-  float lines = band(x, width, 0.32, 0.35) + band(x, width, 0.65, 0.68) + band(x, width, 0.0, 0.03);
+  float lines = band(x, width, 0.32, 0.35) + band(x, width, 0.65, 0.68) + band(x, width, 0.49, 0.51);
   return mix(shade, accent, lines);
 }
 

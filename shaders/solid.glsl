@@ -2,6 +2,8 @@
 const float gloss_alpha = 0.3;
 const float gloss_reflectance = 0.04;
 
+float fifth_power(float x) { return x * x * x * x * x; }
+
 // GGX with the height-correlated visibility of Heitz 2014 in Hammon's approximation (GDC 2017), and Schlick's
 // Fresnel term.
 float gloss(float n_l, float n_v, float n_h, float l_h) {
@@ -9,7 +11,7 @@ float gloss(float n_l, float n_v, float n_h, float l_h) {
   float spread = n_h * n_h * (a2 - 1.0) + 1.0;
   float distribution = a2 / (pi * spread * spread);
   float visible = 0.5 / mix(2.0 * n_l * n_v, n_l + n_v, gloss_alpha);
-  float fresnel = gloss_reflectance + (1.0 - gloss_reflectance) * pow(1.0 - l_h, 5.0);
+  float fresnel = gloss_reflectance + (1.0 - gloss_reflectance) * fifth_power(1.0 - l_h);
   return distribution * visible * fresnel;
 }
 

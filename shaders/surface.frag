@@ -25,6 +25,6 @@ void main() {
   vec3 scatter = pixel_scatter();
   vec3 sum = from_sun(albedo, normal, to_eye, scatter);
   for (int i = 0; i < below; ++i) sum += from_sky(i, sky_radiance[i].rgb, albedo, normal, to_eye, scatter);
-  sum += from_sky(below, radiance_from_below(world_position), albedo, normal, to_eye, scatter);
+  sum += from_sky(below, radiance_from_below(world_position, scatter), albedo, normal, to_eye, scatter);
   radiance = vec4(sum, 1.0);
 }

@@ -6,6 +6,9 @@ out vec3 world_position;
 out vec3 world_normal;
 out vec2 surface_uv;
 
+// Equal to the bit in depth.vert: surfaces are drawn over their own depth.
+invariant gl_Position;
+
 void main() {
   world_position = position;
   world_normal = normal;

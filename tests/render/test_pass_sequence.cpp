@@ -17,7 +17,7 @@ TEST_P(PassSequence, StaysInItsDomains) {
   for (int pass = 0; pass < GetParam(); ++pass) {
     const PassSample sample = sample_pass(pass, GetParam());
     EXPECT_LE(sample.pixel_offset.cwiseAbs().maxCoeff(), 1.0f);
-    EXPECT_LE(sample.sun_disc.norm(), 1.0f);
+    for (const Vec2f& place : sample.sun_disc) EXPECT_LE(place.norm(), 1.0f);
     EXPECT_GE(sample.jitter_phase, 0.0f);
     EXPECT_LT(sample.jitter_phase, 1.0f);
     for (const SkySample& sky : sample.sky) EXPECT_NEAR(sky.direction.norm(), 1, 1e-5);
@@ -53,7 +53,7 @@ TEST(PassSequenceOfMany, IsCentred) {
   for (int pass = 0; pass < 64; ++pass) {
     const PassSample sample = sample_pass(pass, 64);
     offset += sample.pixel_offset / 64;
-    disc += sample.sun_disc / 64;
+    for (const Vec2f& place : sample.sun_disc) disc += place / (64 * sun_places);
     for (int i = 0; i + 1 < sky_directions; ++i)
       above += sample.sky[i].direction / (64 * (sky_directions - 1));
   }
