@@ -96,7 +96,7 @@ void Rasterizer::State::draw_pass(const SceneBuffers& scene, const View& view, c
   gl.BufferData(GL_UNIFORM_BUFFER, sizeof uniforms, &uniforms, GL_STREAM_DRAW);
   bind_target(gl, targets->pass);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  draw_depth(gl, depth_program, uniforms.clip_from_world, scene);
+  draw_seen_depth(gl, depth_program, uniforms.clip_from_world, scene);
   draw_radiance(gl, surface_programs, view.ground, scene);
 }
 

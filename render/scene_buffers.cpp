@@ -9,28 +9,41 @@ SceneBuffers upload_scene(const GlFunctions& gl, const std::vector<Surface>& sur
   return scene;
 }
 
-void draw_depth(const GlFunctions& gl, const ShaderProgram& depth_program, const Mat4f& clip_from_world,
-                const SceneBuffers& scene) {
+static void use_depth_program(const GlFunctions& gl, const ShaderProgram& program,
+                              const Mat4f& clip_from_world) {
   gl.Enable(GL_DEPTH_TEST);
-  depth_program.use();
-  depth_program.set("clip_from_position", clip_from_world);
-  for (const SurfaceBuffers& buffers : scene.buffers) draw_surface(gl, buffers);
+  program.use();
+  program.set("clip_from_position", clip_from_world);
 }
 
 void draw_shadow_depth(const GlFunctions& gl, const ShaderProgram& depth_program,
                        const Mat4f& clip_from_world, const SceneBuffers& scene) {
+  use_depth_program(gl, depth_program, clip_from_world);
   gl.Enable(GL_POLYGON_OFFSET_FILL);
   gl.PolygonOffset(1, 1);
-  draw_depth(gl, depth_program, clip_from_world, scene);
+  for (const SurfaceBuffers& buffers : scene.buffers) draw_surface(gl, buffers);
   gl.Disable(GL_POLYGON_OFFSET_FILL);
+}
+
+static void draw_seen_side(const GlFunctions& gl, const Surface& surface, const SurfaceBuffers& buffers) {
+  if (!surface.two_sided) gl.Enable(GL_CULL_FACE);
+  draw_surface(gl, buffers);
+  gl.Disable(GL_CULL_FACE);
+}
+
+void draw_seen_depth(const GlFunctions& gl, const ShaderProgram& depth_program, const Mat4f& clip_from_world,
+                     const SceneBuffers& scene) {
+  use_depth_program(gl, depth_program, clip_from_world);
+  gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i)
+    draw_seen_side(gl, scene.surfaces[i], scene.buffers[i]);
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 static void draw_surfaces(const GlFunctions& gl, SurfacePrograms& programs, const SceneBuffers& scene) {
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     programs.use_for(scene.surfaces[i]);
-    if (!scene.surfaces[i].two_sided) gl.Enable(GL_CULL_FACE);
-    draw_surface(gl, scene.buffers[i]);
-    gl.Disable(GL_CULL_FACE);
+    draw_seen_side(gl, scene.surfaces[i], scene.buffers[i]);
   }
 }
 

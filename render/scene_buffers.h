@@ -19,13 +19,13 @@ struct SceneBuffers {
 
 SceneBuffers upload_scene(const GlFunctions& gl, const std::vector<Surface>& surfaces, const View& view);
 
-// Depth alone, on top of what is in the bound target.
-void draw_depth(const GlFunctions& gl, const ShaderProgram& depth_program, const Mat4f& clip_from_world,
-                const SceneBuffers& scene);
-
-// The same for a shadow map: a little away from the light, so that no surface shades itself.
+// Depth alone, for a shadow map: a little away from the light, so that no surface shades itself.
 void draw_shadow_depth(const GlFunctions& gl, const ShaderProgram& depth_program,
                        const Mat4f& clip_from_world, const SceneBuffers& scene);
+
+// Depth alone, of what the camera sees.
+void draw_seen_depth(const GlFunctions& gl, const ShaderProgram& depth_program, const Mat4f& clip_from_world,
+                     const SceneBuffers& scene);
 
 // Radiance, into the bound target, as the bound block of pass uniforms says; its depth must have been drawn,
 // so that only what is seen is shaded. Alpha is the share of the pixel that is not backdrop; colours are
