@@ -78,6 +78,27 @@ std::vector<Vec3> push(const ContactGeometry& geometry, const std::vector<Contac
   return way;
 }
 
+// The fail-safe, again where it has held vertices so far back from their paths that the lists may lack a
+// pair.
+FailSafeResult hold_back_all(const NarrowPhase& phase, const ContactSettings& settings, ContactCache& cache,
+                             Profile& profile, std::vector<Vec3>& end) {
+  FailSafeResult result;
+  result.vertex_progress.assign(end.size(), 1.0);
+  result.body_progress.assign(phase.geometry.bodies.size(), 1.0);
+  do {
+    timed(profile, Phase::broad, [&] { find_pairs(phase.geometry, settings, phase.motion, cache); });
+    const FailSafeResult held = timed(profile, Phase::fail_safe,
+                                      [&] { return hold_back(phase, cache.lists, settings.least_gap, end); });
+    for (std::size_t v = 0; v < end.size(); ++v) result.vertex_progress[v] *= held.vertex_progress[v];
+    for (std::size_t b = 0; b < result.body_progress.size(); ++b)
+      result.body_progress[b] *= held.body_progress[b];
+    result.limited_vertices += held.limited_vertices;
+  } while (!std::all_of(cache.lists.begin(), cache.lists.end(), [&](const ProximityList& list) {
+    return within_boxes(phase.geometry, list, phase.motion);
+  }));
+  return result;
+}
+
 }  // namespace
 
 ContactSettings contact_settings(const ContactGeometry& geometry) {
@@ -109,13 +130,10 @@ ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSe
   const std::vector<Contact> contacts = resolve(phase, settings, cache, profile, end);
   result.contacts = static_cast<int>(contacts.size());
   timed(profile, Phase::response, [&] { result.push = push(geometry, contacts, end); });
-  timed(profile, Phase::broad, [&] { find_pairs(geometry, settings, phase.motion, cache); });
-  timed(profile, Phase::fail_safe, [&] {
-    const FailSafeResult held = hold_back(phase, cache.lists, settings.least_gap, end);
-    for (std::size_t v = 0; v < end.size(); ++v) result.push[v] *= held.vertex_progress[v];
-    result.body_progress = held.body_progress;
-    result.limited_vertices = held.limited_vertices;
-  });
+  const FailSafeResult held = hold_back_all(phase, settings, cache, profile, end);
+  for (std::size_t v = 0; v < end.size(); ++v) result.push[v] *= held.vertex_progress[v];
+  result.body_progress = held.body_progress;
+  result.limited_vertices = held.limited_vertices;
   timed(profile, Phase::broad, [&] {
     for (ProximityList& list : cache.lists) follow_motion(geometry, phase.motion, list);
   });
