@@ -65,6 +65,7 @@ class FileActions {
 // The process, or 0 where there is no such program.
 static pid_t spawn(const std::vector<std::string>& arguments, const FileActions& actions) {
   std::vector<char*> words;
+  words.reserve(arguments.size() + 1);
   for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
   words.push_back(nullptr);
   pid_t process = 0;

@@ -35,7 +35,7 @@ TEST_F(Interrupt, StopsTheSimulationAfterACheckpoint) {
 }
 
 TEST_F(Interrupt, LeavesWholePicturesAndGoesOnFromThere) {
-  const std::string scene = write_scene(folder, "scene", 60);
+  const std::string scene = write_scene(folder, "scene", 30);
   const fs::path third = folder / "stopped/frames/frame_0003.png";
   EXPECT_EQ(stop_drape({"run", scene, "-q", "-o", out("stopped")}, third, SIGINT), 130);
   EXPECT_TRUE(unfinished_files(folder.path()).empty());
@@ -45,10 +45,10 @@ TEST_F(Interrupt, LeavesWholePicturesAndGoesOnFromThere) {
     EXPECT_EQ(render::read_png(entry.path()).width, 64) << entry.path();
     ++pictures;
   }
-  EXPECT_LT(pictures, 60);
+  EXPECT_LT(pictures, 30);
   EXPECT_FALSE(fs::exists(out("stopped/scene.mp4")));
   const Finished rest = run_drape({"render", out("stopped"), "-v"});
-  EXPECT_NE(rest.err.find(std::to_string(60 - pictures) + " drawn"), std::string::npos) << rest.err;
+  EXPECT_NE(rest.err.find(std::to_string(30 - pictures) + " drawn"), std::string::npos) << rest.err;
 }
 
 }  // namespace

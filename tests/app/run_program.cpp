@@ -6,9 +6,7 @@
 
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <map>
-#include <stdexcept>
 #include <thread>
 
 #include "app/subprocess.h"
@@ -16,17 +14,6 @@
 
 namespace drape::app {
 namespace fs = std::filesystem;
-
-TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (fs::temp_directory_path() / "drape_test_XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  path_ = pattern;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
 
 std::string write_scene(const TemporaryFolder& folder, const std::string& name, int frames, int points) {
   const fs::path path = folder / (name + ".yaml");

@@ -4,21 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "temporary_folder.h"
+
 namespace drape::app {
 
-// A folder for one test; it goes when the test ends.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
+using test::TemporaryFolder;
 
 // Writes a scene of one small cloth over a ball, `frames` long, with tiny pictures; its path.
 std::string write_scene(const TemporaryFolder& folder, const std::string& name, int frames, int points = 6);

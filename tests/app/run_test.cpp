@@ -11,22 +11,16 @@ namespace drape::app {
 namespace {
 namespace fs = std::filesystem;
 
-// One run of the whole program, which the tests look at from several sides.
+// A run of the whole program, at which each test looks from its own side.
 class Run : public testing::Test {
  protected:
-  static void SetUpTestSuite() {
-    folder = new TemporaryFolder;
-    const std::string scene = write_scene(*folder, "scene", 3);
-    finished = run_drape({"run", scene, "-o", out(""), "--stats", (*folder / "figures.csv").string()});
-  }
-  static void TearDownTestSuite() { delete folder; }
-  static std::string out(const std::string& name) { return (*folder / ("out/" + name)).string(); }
+  std::string out(const std::string& name) const { return (folder / ("out/" + name)).string(); }
 
-  static TemporaryFolder* folder;
-  static Finished finished;
+  TemporaryFolder folder;
+  std::string figures = (folder / "figures.csv").string();
+  std::string scene = write_scene(folder, "scene", 3);
+  Finished finished = run_drape({"run", scene, "-o", out(""), "--stats", figures});
 };
-TemporaryFolder* Run::folder = nullptr;
-Finished Run::finished;
 
 TEST_F(Run, MakesFramesCacheVideoAndRecord) {
   EXPECT_EQ(finished.exit_status, 0) << finished.err;
@@ -50,7 +44,7 @@ TEST_F(Run, RecordsEachFrameAndStage) {
 }
 
 TEST_F(Run, WritesTheFiguresAsCsv) {
-  const std::string csv = read_file(*folder / "figures.csv");
+  const std::string csv = read_file(figures);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);
   EXPECT_EQ(csv.substr(0, 17), "frame,state_hash,");
 }
@@ -71,10 +65,9 @@ TEST_F(Run, KeepsPicturesThatAreCurrentAndDrawsTheRest) {
 }
 
 TEST_F(Run, PicturesDoNotDependOnChunksOrThreads) {
-  const fs::path copy = *folder / "copy";
+  const fs::path copy = folder / "copy";
   fs::create_directory(copy);
   fs::copy(out("cache"), copy / "cache");
-  const std::string scene = (*folder / "scene.yaml").string();
   for (const char* chunk : {"2/2", "1/2"}) {
     ASSERT_EQ(run_drape({"render", scene, "-o", copy.string(), "--chunk", chunk, "-j", "1"}).exit_status, 0);
   }
@@ -82,7 +75,7 @@ TEST_F(Run, PicturesDoNotDependOnChunksOrThreads) {
 }
 
 TEST_F(Run, OtherLooksAreDrawnAnewFromTheSameCache) {
-  const fs::path looks = *folder / "looks";
+  const fs::path looks = folder / "looks";
   fs::copy(out(""), looks, fs::copy_options::recursive);
   const Finished again = run_drape({"render", looks.string(), "-v", "-D", "render.exposure=0.5"});
   EXPECT_NE(again.err.find("3 drawn, 0 kept"), std::string::npos) << again.err;
