@@ -13,10 +13,12 @@ namespace drape::app {
 
 // Rough costs on one core of a common machine, for estimates before anything has run.
 static constexpr double cpu_seconds_per_point_step = 4e-6;
-static constexpr double cpu_seconds_per_pixel_pass = 2e-7;
-static constexpr double bytes_per_point = 2500;  // state, clusters, and the grid of contact
-static constexpr double bytes_per_pixel = 40;    // the buffers of one context
-static constexpr double bytes_at_start = 80e6;
+static constexpr double cpu_seconds_per_pass = 0.055;  // shadows, whatever the size of the picture
+static constexpr double cpu_seconds_per_pixel_pass = 1.7e-7;
+static constexpr double bytes_to_simulate = 30e6;
+static constexpr double bytes_per_point = 20e3;  // state, clusters, and the search for contacts
+static constexpr double bytes_per_context = 140e6;
+static constexpr double bytes_per_pixel = 35;
 
 namespace {
 struct SceneSize {
@@ -50,19 +52,24 @@ static void print_time(const SceneDescription& scene, const SceneSize& size) {
                            size.steps_per_frame * scene.time.last_frame));
 }
 
-// The start of a run knows nothing of its contacts: these figures say hours or minutes, no more.
+static double seconds_to_simulate(const SceneDescription& scene, const SceneSize& size) {
+  return cpu_seconds_per_point_step * static_cast<double>(size.points) * size.steps_per_frame *
+         scene.time.last_frame;
+}
+
+// What a run will meet cannot be known before: these figures tell minutes from hours, no more.
 static void print_estimate(const SceneDescription& scene, const SceneSize& size) {
   const render::Settings picture = picture_settings(scene.render);
   const double pixels = static_cast<double>(picture.width) * picture.height;
-  const double simulation = cpu_seconds_per_point_step * static_cast<double>(size.points) *
-                            size.steps_per_frame * scene.time.last_frame;
-  const double pictures = cpu_seconds_per_pixel_pass * pixels * picture.passes * size.frames;
-  const double memory =
-      bytes_at_start + bytes_per_point * static_cast<double>(size.points) + bytes_per_pixel * pixels;
+  const double seconds_a_pass = cpu_seconds_per_pass + cpu_seconds_per_pixel_pass * pixels;
+  const double points = static_cast<double>(size.points);
   print_result(fmt::format("pictures   {}x{}, {} passes", picture.width, picture.height, picture.passes));
-  print_result(fmt::format("time       about {} of CPU to simulate, {} to render",
-                           format_duration(simulation), format_duration(pictures)));
-  print_result(fmt::format("memory     about {:.0f} MB", memory / 1e6));
+  print_result(fmt::format("CPU time   about {} to simulate, {} to render",
+                           format_duration(seconds_to_simulate(scene, size)),
+                           format_duration(seconds_a_pass * picture.passes * size.frames)));
+  print_result(fmt::format("memory     about {:.0f} MB to simulate, {:.0f} MB for each picture at a time",
+                           1e-6 * (bytes_to_simulate + bytes_per_point * points),
+                           1e-6 * (bytes_per_context + bytes_per_pixel * pixels)));
 }
 
 int info_command(const Options& options, const Console&) {
