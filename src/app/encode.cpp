@@ -54,57 +54,48 @@ static std::string frame_pattern(const fs::path& folder) {
   return pattern + "/frame_%04d.png";
 }
 
-std::vector<std::string> encoder_arguments(const Run& run, const fs::path& target) {
-  // H.264 needs even sizes. Its bytes depend on the number of threads, so that is not left to the machine.
+using Words = std::vector<std::string>;
+
+static Words input_words(const Run& run) {
+  const TimeSettings& time = run.scene.time;
+  return {
+      "-framerate", fmt::format("{}", time.fps),        "-start_number", fmt::format("{}", time.first_frame),
+      "-i",         frame_pattern(run.folder.frames()), "-frames:v",     fmt::format("{}", frame_count(run))};
+}
+
+// H.264 needs even sizes.
+static Words color_words() {
   const std::string filter =
       "crop=trunc(iw/2)*2:trunc(ih/2)*2:0:0,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p";
-  return {"ffmpeg",
-          "-hide_banner",
-          "-nostdin",
-          "-loglevel",
-          "error",
-          "-y",
-          "-framerate",
-          fmt::format("{}", run.scene.time.fps),
-          "-start_number",
-          fmt::format("{}", run.scene.time.first_frame),
-          "-i",
-          frame_pattern(run.folder.frames()),
-          "-frames:v",
-          fmt::format("{}", frame_count(run)),
-          "-vf",
-          filter,
-          "-colorspace",
-          "bt709",
-          "-color_primaries",
-          "bt709",
-          "-color_trc",
-          "bt709",
-          "-color_range",
-          "tv",
-          "-c:v",
-          "libx264",
-          "-crf",
-          fmt::format("{}", run.scene.render.crf),
-          "-threads",
-          "4",
-          "-movflags",
-          "+faststart",
-          "-f",
-          "mp4",
-          "-progress",
-          "pipe:1",
-          "-nostats",
-          plain_path(target)};
+  return {"-vf",   filter,       "-colorspace", "bt709",        "-color_primaries",
+          "bt709", "-color_trc", "bt709",       "-color_range", "tv"};
+}
+
+// The bytes of H.264 depend on the number of threads, so that is not left to the machine.
+static Words output_words(const Run& run, const fs::path& target) {
+  return {"-c:v",      "libx264",
+          "-crf",      fmt::format("{}", run.scene.render.crf),
+          "-threads",  "4",
+          "-movflags", "+faststart",
+          "-f",        "mp4",
+          "-progress", "pipe:1",
+          "-nostats",  plain_path(target)};
+}
+
+Words encoder_arguments(const Run& run, const fs::path& target) {
+  Words words = {"ffmpeg", "-hide_banner", "-nostdin", "-loglevel", "error", "-y"};
+  for (const Words& part : {input_words(run), color_words(), output_words(run, target)}) {
+    words.insert(words.end(), part.begin(), part.end());
+  }
+  return words;
 }
 
 static void check_result(const ProcessResult& result, int encoded, int expected) {
   throw_if_stopped();
   if (!result.was_found) {
     throw EncoderError(
-        "ffmpeg is not installed, so there is no video; the frames are done. Install it (Debian: apt-get "
-        "install "
-        "ffmpeg) and run `drape encode`");
+        "ffmpeg is not installed, so there is no video; the frames are done. Install it (Debian: "
+        "apt-get install ffmpeg) and run `drape encode`");
   }
   if (result.exit_status != 0) {
     throw EncoderError(fmt::format("ffmpeg failed with status {}: {}", result.exit_status, result.errors));
