@@ -1,0 +1,210 @@
+#include <gtest/gtest.h>
+
+#include "contact/active_contacts.h"
+#include "contact/response.h"
+#include "scene.h"
+
+namespace drape {
+namespace {
+
+using test::one_triangle;
+using test::Random;
+using test::Scene;
+
+constexpr double thickness = 0.01;
+
+std::vector<Contact> active(const Scene& scene) {
+  std::vector<Contact> contacts;
+  for (ProximityList& list : scene.lists(0.05, 0.5)) find_active_pairs(scene.phase(), list, contacts);
+  return contacts;
+}
+
+// A triangle in the plane y = 0, and a smaller one over its middle whose lowest corner comes down on it.
+Scene approaching(double from, double to, double friction = 0) {
+  Scene scene;
+  scene.add_cloth(one_triangle({-1, 0, -1}, {0, 0, 1}, {1, 0, -1}), thickness, friction);
+  scene.add_cloth(one_triangle({0, from, 0}, {0.1, from + 1, 0}, {-0.1, from + 1, 0.1}), thickness, friction);
+  for (int v = 3; v < 6; ++v) scene.end[v].y() += to - from;
+  return scene;
+}
+
+TEST(ActiveContacts, SidesThatStayApartMakeNone) {
+  EXPECT_TRUE(active(approaching(0.1, 0.02)).empty());
+  EXPECT_TRUE(active(approaching(0.1, 0.5)).empty());
+}
+
+TEST(ActiveContacts, APairIsFoundOnTheSideThatItComesFromThoughItEndsBeyond) {
+  for (const double to : {0.009, -0.3, -50.0}) {
+    bool found = false;
+    for (const Contact& contact : active(approaching(0.1, to)))
+      if (contact.key.first == 0 && contact.vertices[0] == 3) {
+        EXPECT_LT((contact.normal - Vec3(0, 1, 0)).norm(), 1e-12);
+        EXPECT_EQ(contact.target, thickness);
+        EXPECT_EQ(contact.thickness, thickness);
+        found = true;
+      }
+    EXPECT_TRUE(found) << to;
+  }
+}
+
+TEST(ActiveContacts, OldOverlapHealsSlowlyAndIsNoVelocity) {
+  for (const double distance : {0.0002, 0.004, 0.0099}) {
+    const std::vector<Contact> contacts = active(approaching(distance, distance));
+    ASSERT_FALSE(contacts.empty());
+    EXPECT_NEAR(contacts[0].target, distance, 1e-15);
+    EXPECT_GE(contacts[0].push_target, distance);
+    EXPECT_LE(contacts[0].push_target, distance + 0.1 * thickness);
+  }
+}
+
+TEST(ActiveContacts, WeightsAreBarycentricAndTheirSumIsZero) {
+  Random random(1);
+  Scene scene;
+  scene.add_cloth(make_grid({0.5, 0.5}, {6, 6}), thickness);
+  for (std::size_t v = 0; v < scene.start.size(); ++v) {
+    scene.start[v] += random.vector(0.05);
+    scene.end[v] = scene.start[v] + random.vector(0.1);
+  }
+  const std::vector<Contact> contacts = active(scene);
+  EXPECT_GT(contacts.size(), 20u);
+  for (const Contact& contact : contacts) {
+    double sum = 0, size = 0;
+    for (const double weight : contact.weights) {
+      sum += weight;
+      size += std::abs(weight);
+    }
+    EXPECT_NEAR(sum, 0, 1e-12);
+    EXPECT_NEAR(size, 2, 1e-12);
+    EXPECT_NEAR(contact.normal.norm(), 1, 1e-12);
+    EXPECT_EQ(contact.impulse, 0);
+  }
+}
+
+// Pairs are passed over by what they are known to keep apart; that must cost none.
+TEST(ActiveContacts, AListThatIsKeptFindsTheSameAsANewOne) {
+  Random random(2);
+  Scene scene;
+  scene.add_cloth(make_grid({0.5, 0.5}, {6, 6}), thickness);
+  for (Vec3& x : scene.start) x += random.vector(0.04);
+  scene.end = scene.start;
+  std::vector<Vec3> velocity;
+  for (std::size_t v = 0; v < scene.start.size(); ++v)
+    velocity.push_back(Vec3(0, -0.1, 0) + random.vector(0.003));
+  ProximityList kept;
+  kept.own_body = 0;
+  std::size_t found = 0;
+  for (int step = 0; step < 20; ++step) {
+    for (std::size_t v = 0; v < velocity.size(); ++v) scene.end[v] = scene.start[v] + velocity[v];
+    ProximityList fresh;
+    fresh.own_body = 0;
+    std::vector<Contact> with_kept, with_fresh;
+    update_proximity(scene.geometry, scene.motion(), 0.05, 0.5, kept);
+    update_proximity(scene.geometry, scene.motion(), 0.05, 0.5, fresh);
+    find_active_pairs(scene.phase(), kept, with_kept);
+    find_active_pairs(scene.phase(), fresh, with_fresh);
+    const auto keys = [](const std::vector<Contact>& contacts) {
+      std::vector<ContactKey> all;
+      for (const Contact& contact : contacts) all.push_back(contact.key);
+      std::sort(all.begin(), all.end());
+      return all;
+    };
+    EXPECT_EQ(keys(with_kept), keys(with_fresh)) << "step " << step;
+    found += with_kept.size();
+    follow_motion(scene.geometry, scene.motion(), kept);
+    scene.start = scene.end;
+  }
+  EXPECT_GT(found, 100u);
+}
+
+TEST(ActiveContacts, EdgesThatAreClosestAtAnEndAreLeftToPointsAndTriangles) {
+  for (const Contact& contact : active(approaching(0.1, -0.1)))
+    for (const double weight : contact.weights) EXPECT_TRUE(contact.key.first == 0 || weight != 0);
+}
+
+TEST(ActiveContacts, AContactWhoseClosestPointHasMovedGetsASecond) {
+  Scene scene = approaching(0.1, -0.05);
+  const std::vector<Contact> contacts = active(scene);
+  std::vector<Contact> added;
+  std::vector<Contact> resolved = contacts;
+  resolve_contacts(scene.geometry, scene.start, thickness, resolved, scene.end);
+  find_moved_contacts(scene.phase(), resolved, added);
+  EXPECT_TRUE(added.empty());  // the response holds the pair where it was found
+  for (int v = 0; v < 3; ++v) scene.end[v] = scene.start[v];
+  scene.end[3] = Vec3(0.2, 0.5 * thickness, 0);  // slid along and came too near there
+  find_moved_contacts(scene.phase(), contacts, added);
+  ASSERT_FALSE(added.empty());
+  EXPECT_EQ(added[0].key, contacts[0].key);
+  EXPECT_NE(added[0].weights, contacts[0].weights);
+}
+
+// A sphere under a triangle, which turns about `axis` by `angle` and moves by `way`.
+Scene on_sphere(double friction, const Vec3& axis, double angle, const Vec3& way) {
+  const double radius = 0.5;
+  Scene scene;
+  const double height = radius + thickness;
+  scene.add_cloth(one_triangle({-1, height, -1}, {0, height, 1}, {1, height, -1}), thickness, friction);
+  scene.geometry.inverse_masses = {1, 1, 1};
+  const int sphere = scene.add_sphere({0, 0, 0}, radius, friction);
+  scene.move_body(sphere, {Eigen::AngleAxisd(angle, axis).toRotationMatrix(), way});
+  for (int v = 0; v < 3; ++v) scene.end[v].y() -= 0.01;
+  return scene;
+}
+
+Vec3 contact_point(const std::vector<Vec3>& x, const Contact& contact) {
+  Vec3 point = Vec3::Zero();
+  for (int i = 1; i < 4; ++i) point -= contact.weights[i] * x[contact.vertices[i]];
+  return point;
+}
+
+TEST(TurningSphere, ItsContactCarriesTheMotionOfTheSurface) {
+  const Scene scene = on_sphere(1, {0, 0, 1}, 0.02, {0, 0, 0});
+  const std::vector<Contact> contacts = active(scene);
+  ASSERT_EQ(contacts.size(), 1u);
+  const Vec3 top(0, 0.5, 0);
+  EXPECT_LT((contacts[0].turn - (scene.bodies[1].end(top) - top)).norm(), 1e-12);
+}
+
+TEST(TurningSphere, ARoughOneTakesTheClothAlongAndASmoothOneDoesNot) {
+  for (const double friction : {0.0, 100.0}) {
+    Scene scene = on_sphere(friction, {0, 0, 1}, 0.02, {0, 0, 0});
+    std::vector<Contact> contacts = active(scene);
+    resolve_contacts(scene.geometry, scene.start, 1e-6, contacts, scene.end);
+    const Vec3 way = contact_point(scene.end, contacts[0]) - contact_point(scene.start, contacts[0]);
+    EXPECT_NEAR(way.x(), friction > 0 ? -0.5 * std::sin(0.02) : 0, 1e-6);
+  }
+}
+
+TEST(TurningSphere, OneThatRollsUnderTheClothLeavesItWhereItIs) {
+  const double angle = 0.002;  // about z: the top goes to -x by as much as the centre goes to +x
+  Scene scene = on_sphere(100, {0, 0, 1}, angle, {0.5 * std::sin(angle), 0, 0});
+  std::vector<Contact> contacts = active(scene);
+  ASSERT_EQ(contacts.size(), 1u);
+  resolve_contacts(scene.geometry, scene.start, 1e-6, contacts, scene.end);
+  const Vec3 way = contact_point(scene.end, contacts[0]) - contact_point(scene.start, contacts[0]);
+  EXPECT_NEAR(way.x(), 0, 1e-5);
+}
+
+TEST(TurningSphere, OneThatDoesNotTurnAddsNothing) {
+  const std::vector<Contact> contacts = active(on_sphere(1, {0, 0, 1}, 0, {0.01, 0.01, 0}));
+  ASSERT_EQ(contacts.size(), 1u);
+  EXPECT_LT(contacts[0].turn.norm(), 1e-15);
+}
+
+TEST(TurningCapsule, ItsContactCarriesTheMotionOfTheSurface) {
+  Scene scene;
+  const double radius = 0.1, height = radius + thickness;
+  scene.add_cloth(one_triangle({-0.3, height, -0.3}, {0, height, 0.3}, {0.3, height, -0.3}), thickness, 1);
+  const int capsule = scene.add_capsule({0, 0, -2}, {0, 0, 2}, radius, 1);
+  scene.move_body(capsule, {Eigen::AngleAxisd(0.03, Vec3(0, 0, 1)).toRotationMatrix(), Vec3::Zero()});
+  for (int v = 0; v < 3; ++v) scene.end[v].y() -= 0.01;
+  const std::vector<Contact> contacts = active(scene);
+  ASSERT_FALSE(contacts.empty());
+  const Vec3 top(0, radius, 0), way = scene.bodies[1].end(top) - top;
+  for (const Contact& contact : contacts) {
+    const double sign = scene.geometry.vertex_body[contact.vertices[0]] == capsule ? 1 : -1;
+    EXPECT_LT((sign * contact.turn - way).norm(), 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,236 @@
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "contact/response.h"
+#include "core/parallel.h"
+#include "scene.h"
+
+namespace drape {
+namespace {
+
+using test::one_triangle;
+using test::Random;
+using test::Scene;
+
+constexpr double thickness = 0.01;
+
+std::vector<Contact> active(const Scene& scene) {
+  std::vector<Contact> contacts;
+  for (ProximityList& list : scene.lists(0.05, 0.5)) find_active_pairs(scene.phase(), list, contacts);
+  return contacts;
+}
+
+// Two free triangles of random masses that would pass through each other, while they slide.
+Scene colliding(unsigned seed, double friction, const Vec3& slide = Vec3::Zero()) {
+  Random random(seed);
+  Scene scene;
+  scene.add_cloth(one_triangle({-1, 0, -1}, {0, 0, 1}, {1, 0, -1}), thickness, friction);
+  scene.add_cloth(one_triangle({0, 0.1, 0}, {0.1, 0.9, 0}, {-0.1, 0.9, 0.1}), thickness, friction);
+  for (double& inverse_mass : scene.geometry.inverse_masses) inverse_mass = random.between(0.2, 5);
+  for (int v = 3; v < 6; ++v) scene.end[v] += Vec3(0, -0.15, 0) + slide;
+  return scene;
+}
+
+Scene crumpling(unsigned seed, double friction) {
+  Random random(seed);
+  Scene scene;
+  scene.add_cloth(make_grid({0.5, 0.5}, {7, 7}), thickness, friction);
+  for (std::size_t v = 0; v < scene.start.size(); ++v) {
+    scene.geometry.inverse_masses[v] = random.between(0.2, 5);
+    scene.start[v] += random.vector(0.05);
+    scene.end[v] = scene.start[v] + random.vector(0.05);
+  }
+  return scene;
+}
+
+Vec3 momentum(const Scene& scene, const std::vector<Vec3>& x) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t v = 0; v < x.size(); ++v)
+    if (scene.geometry.inverse_masses[v] > 0) sum += x[v] / scene.geometry.inverse_masses[v];
+  return sum;
+}
+
+double gap(const Contact& contact, const std::vector<Vec3>& x) {
+  Vec3 sum = Vec3::Zero();
+  for (int i = 0; i < 4; ++i) sum += contact.weights[i] * x[contact.vertices[i]];
+  return contact.normal.dot(sum);
+}
+
+Vec3 sliding(const Contact& contact, const Scene& scene) {
+  Vec3 way = Vec3::Zero();
+  for (int i = 0; i < 4; ++i)
+    way += contact.weights[i] * (scene.end[contact.vertices[i]] - scene.start[contact.vertices[i]]);
+  return way - contact.normal.dot(way) * contact.normal;
+}
+
+std::vector<Contact> resolve(Scene& scene) {
+  std::vector<Contact> contacts = active(scene);
+  resolve_contacts(scene.geometry, scene.start, thickness, contacts, scene.end);
+  return contacts;
+}
+
+TEST(Response, LinearMomentumIsKept) {
+  for (const double friction : {0.0, 0.5}) {
+    for (unsigned seed = 1; seed < 5; ++seed)
+      for (Scene scene : {colliding(seed, friction, {0.03, 0, 0.01}), crumpling(seed, friction)}) {
+        const Vec3 before = momentum(scene, scene.end);
+        const std::vector<Vec3> unresolved = scene.end;
+        resolve(scene);
+        ASSERT_NE(scene.end, unresolved);
+        EXPECT_LT((momentum(scene, scene.end) - before).norm(), 1e-12);
+      }
+  }
+}
+
+TEST(Response, SidesEndAtTheirTarget) {
+  for (unsigned seed = 1; seed < 10; ++seed) {
+    Scene scene = colliding(seed, 0);
+    const std::vector<Contact> contacts = resolve(scene);
+    ASSERT_FALSE(contacts.empty());
+    for (const Contact& contact : contacts)
+      EXPECT_GE(gap(contact, scene.end), contact.target - 0.01 * thickness);
+    EXPECT_NEAR(gap(contacts[0], scene.end), thickness, 0.02 * thickness);
+  }
+}
+
+TEST(Response, ContactsNeverPullSidesTogether) {
+  for (unsigned seed = 1; seed < 10; ++seed) {
+    Scene scene = crumpling(seed, 0.3);
+    for (const Contact& contact : resolve(scene)) EXPECT_GE(contact.impulse, 0);
+  }
+}
+
+TEST(Response, SidesThatPartAnywayAreLeftAlone) {
+  Scene scene = colliding(1, 0.5);
+  std::vector<Contact> contacts = active(scene);
+  for (int v = 3; v < 6; ++v) scene.end[v] = scene.start[v] + Vec3(0.01, 1, 0);
+  const std::vector<Vec3> before = scene.end;
+  resolve_contacts(scene.geometry, scene.start, thickness, contacts, scene.end);
+  EXPECT_EQ(scene.end, before);
+}
+
+TEST(Response, FrictionStaysInItsConeAndAcrossTheNormal) {
+  int slipping = 0;
+  for (unsigned seed = 1; seed < 10; ++seed) {
+    Scene scene = crumpling(seed, 0.3);
+    for (const Contact& contact : resolve(scene)) {
+      const double length = contact.friction_impulse.norm();
+      EXPECT_NEAR(contact.friction, 0.3, 1e-15);
+      EXPECT_LE(length, 0.3 * contact.impulse + 1e-15);
+      EXPECT_NEAR(contact.friction_impulse.dot(contact.normal), 0, 1e-14);
+      slipping += length > 0.299 * contact.impulse && length > 0;
+    }
+  }
+  EXPECT_GT(slipping, 10);
+}
+
+TEST(Response, SlidingStopsWhereFrictionIsLarge) {
+  Scene scene = colliding(2, 100, {0.02, 0, 0});
+  const std::vector<Contact> contacts = resolve(scene);
+  for (const Contact& contact : contacts)
+    if (contact.impulse > 0) {
+      EXPECT_LT(sliding(contact, scene).norm(), 0.05 * 0.02);
+    }
+}
+
+TEST(Response, FrictionBrakesAgainstTheSlidingAndNoMore) {
+  for (const double friction : {0.0, 0.05, 0.1}) {
+    Scene scene = colliding(3, friction, {0.05, 0, 0});
+    std::vector<Contact> contacts = active(scene);
+    contacts.resize(1);
+    resolve_contacts(scene.geometry, scene.start, 1e-6, contacts, scene.end);
+    const Contact& contact = contacts[0];
+    double mobility = 0;
+    for (int i = 0; i < 4; ++i)
+      mobility +=
+          scene.geometry.inverse_masses[contact.vertices[i]] * contact.weights[i] * contact.weights[i];
+    const double left = 0.05 - friction * contact.impulse * mobility;
+    EXPECT_NEAR(sliding(contact, scene).x(), left, 1e-9);
+    EXPECT_GT(left, 0.03);
+  }
+}
+
+TEST(Response, PinnedVerticesAndCollidersStayAndTheOthersGiveWay) {
+  Scene scene = colliding(4, 0.5, {0.02, 0, 0});
+  for (int v = 0; v < 3; ++v) scene.geometry.inverse_masses[v] = 0;
+  const std::vector<Contact> contacts = resolve(scene);
+  for (int v = 0; v < 3; ++v) EXPECT_EQ(scene.end[v], scene.start[v]);
+  EXPECT_NEAR(gap(contacts[0], scene.end), thickness, 0.02 * thickness);
+}
+
+TEST(Response, ThePushMovesOverlappingSidesAsFarAsTheirPushTarget) {
+  Scene scene = colliding(5, 0);
+  for (int v = 3; v < 6; ++v) scene.end[v] = scene.start[v] -= Vec3(0, 0.096, 0);  // 4 mm apart
+  std::vector<Contact> contacts = active(scene);
+  ASSERT_FALSE(contacts.empty());
+  const Vec3 before = momentum(scene, scene.end);
+  resolve_contacts(scene.geometry, scene.start, thickness, contacts, scene.end);
+  EXPECT_EQ(scene.end, scene.start);
+  push_apart(scene.geometry, contacts, scene.end);
+  EXPECT_NEAR(gap(contacts[0], scene.end), contacts[0].push_target, 1e-9);
+  EXPECT_GT(contacts[0].push_target, 0.004);
+  EXPECT_LT((momentum(scene, scene.end) - before).norm(), 1e-13);
+}
+
+TEST(Response, TheSameBitsWithAnyNumberOfThreads) {
+  std::vector<std::vector<Vec3>> results;
+  for (const int threads : {1, 2, 4}) {
+    const ThreadLimit limit(threads);
+    Scene scene = crumpling(6, 0.3);
+    resolve(scene);
+    results.push_back(scene.end);
+  }
+  EXPECT_EQ(results[0], results[1]);
+  EXPECT_EQ(results[0], results[2]);
+}
+
+Contact contact_of(const std::array<int, 4>& vertices,
+                   const std::array<double, 4>& weights = {1, -0.3, -0.3, -0.4}) {
+  Contact contact{};
+  contact.vertices = vertices;
+  contact.weights = weights;
+  return contact;
+}
+
+// 40 free vertices.
+ContactGeometry free_vertices() {
+  Scene scene;
+  scene.add_cloth(make_grid({1, 1}, {8, 5}), thickness);
+  return scene.geometry;
+}
+
+TEST(CollisionGroups, DisjointContactsAreGroupsOfTheirOwn) {
+  const CollisionGroups groups = group_contacts(
+      free_vertices(), {contact_of({8, 9, 10, 11}), contact_of({0, 1, 2, 3}), contact_of({4, 5, 6, 7})});
+  EXPECT_EQ(groups.group_begin, (std::vector<std::size_t>{0, 1, 2, 3}));
+  EXPECT_EQ(groups.order, (std::vector{1, 2, 0}));
+}
+
+TEST(CollisionGroups, ContactsThatShareVerticesThroughOthersAreOneGroupInTheirOrder) {
+  const CollisionGroups groups =
+      group_contacts(free_vertices(), {contact_of({9, 10, 11, 12}), contact_of({20, 21, 22, 23}),
+                                       contact_of({0, 1, 2, 3}), contact_of({3, 4, 5, 9})});
+  EXPECT_EQ(groups.group_begin, (std::vector<std::size_t>{0, 3, 4}));
+  EXPECT_EQ(groups.order, (std::vector{0, 2, 3, 1}));
+}
+
+TEST(CollisionGroups, VerticesThatDoNotMoveOrPlayNoPartJoinNothing) {
+  ContactGeometry geometry = free_vertices();
+  geometry.inverse_masses[3] = 0;
+  const CollisionGroups pinned =
+      group_contacts(geometry, {contact_of({0, 1, 2, 3}), contact_of({3, 4, 5, 6})});
+  EXPECT_EQ(pinned.group_begin.size(), 3u);
+  const CollisionGroups weightless = group_contacts(
+      free_vertices(), {contact_of({0, 1, 2, 3}, {1, -0.5, -0.5, 0}), contact_of({3, 4, 5, 6})});
+  EXPECT_EQ(weightless.group_begin.size(), 3u);
+}
+
+TEST(CollisionGroups, NoContactsMakeNoGroup) {
+  const CollisionGroups groups = group_contacts(free_vertices(), {});
+  EXPECT_TRUE(groups.order.empty());
+  EXPECT_EQ(groups.group_begin.size(), 1u);
+}
+
+}  // namespace
+}  // namespace drape
