@@ -10,7 +10,7 @@ namespace drape::render {
 
 // Draws surfaces with OpenGL 3.3 core in software, off screen. One object is one context and belongs to the
 // thread that made it; two objects in two threads give the same pictures as one. The picture is a function of
-// the arguments alone (`frame` seeds the sequences of jitter).
+// the arguments alone. Each frame takes the same samples, so that what stands still does not flicker.
 class Rasterizer {
  public:
   Rasterizer();  // throws RenderError with what to install where no context can be had

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct FixedScene {
   std::vector<Surface> surfaces;
   View view;
 };
+inline void PrintTo(const FixedScene& scene, std::ostream* out) { *out << scene.name; }
 
 // A cloth through the points of a function of (u, v) in the unit square, cells x cells. Its front is where u,
 // v and the normal are left-handed, as for the grid of mesh/primitives.h (u along +x, v along +z, front up).
