@@ -124,6 +124,7 @@ TEST(ActiveContacts, EdgesThatAreClosestAtAnEndAreLeftToPointsAndTriangles) {
 TEST(ActiveContacts, AContactWhoseClosestPointHasMovedGetsASecond) {
   Scene scene = approaching(0.1, -0.05);
   const std::vector<Contact> contacts = active(scene);
+  ASSERT_FALSE(contacts.empty());
   std::vector<Contact> added;
   std::vector<Contact> resolved = contacts;
   resolve_contacts(scene.geometry, scene.start, thickness, resolved, scene.end);
@@ -168,6 +169,7 @@ TEST(TurningSphere, ARoughOneTakesTheClothAlongAndASmoothOneDoesNot) {
   for (const double friction : {0.0, 100.0}) {
     Scene scene = on_sphere(friction, {0, 0, 1}, 0.02, {0, 0, 0});
     std::vector<Contact> contacts = active(scene);
+    ASSERT_EQ(contacts.size(), 1u);
     resolve_contacts(scene.geometry, scene.start, 1e-6, contacts, scene.end);
     const Vec3 way = contact_point(scene.end, contacts[0]) - contact_point(scene.start, contacts[0]);
     EXPECT_NEAR(way.x(), friction > 0 ? -0.5 * std::sin(0.02) : 0, 1e-6);

@@ -56,6 +56,7 @@ TEST(PlaneContact, OldOverlapIsNoMoreThanKeptFromGrowing) {
   Scene scene = over_plane(0.004);
   for (int v = 0; v < 9; ++v) scene.end[v].y() = 0;
   const std::vector<Contact> contacts = plane_contacts(scene);
+  ASSERT_EQ(contacts.size(), 9u);
   EXPECT_NEAR(contacts[0].target, 0.004, 1e-15);
   EXPECT_GT(contacts[0].push_target, 0.004);
   EXPECT_LT(contacts[0].push_target, thickness);

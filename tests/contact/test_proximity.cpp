@@ -148,7 +148,8 @@ TEST(Proximity, EdgeEndsCountForACapsuleWhichHasNoTriangles) {
   scene.add_cloth(small_cloth(), 0.02);
   scene.add_capsule({-1, 0.05, 0}, {1, 0.05, 0}, 0.05);
   int edge_pairs = 0;
-  for (const ContactPair& pair : scene.lists()[0].pairs)
+  const ProximityList list = scene.lists()[0];
+  for (const ContactPair& pair : list.pairs)
     if (pair.kind == PairKind::edge_edge) {
       EXPECT_TRUE(pair.counts_edge_ends);
       ++edge_pairs;
@@ -246,7 +247,8 @@ TEST(Proximity, ListsAreTheSameWithAnyNumberOfThreads) {
   for (const int threads : {1, 2, 4}) {
     const ThreadLimit limit(threads);
     results.emplace_back();
-    for (const ContactPair& pair : scene.lists()[1].pairs) results.back().push_back(pair.vertices);
+    const ProximityList list = scene.lists()[1];
+    for (const ContactPair& pair : list.pairs) results.back().push_back(pair.vertices);
   }
   EXPECT_GT(results[0].size(), 1000u);
   EXPECT_EQ(results[0], results[1]);

@@ -138,7 +138,8 @@ TEST(Response, FrictionBrakesAgainstTheSlidingAndNoMore) {
   for (const double friction : {0.0, 0.05, 0.1}) {
     Scene scene = colliding(3, friction, {0.05, 0, 0});
     std::vector<Contact> contacts = active(scene);
-    contacts.resize(1);
+    ASSERT_FALSE(contacts.empty());
+    contacts.erase(contacts.begin() + 1, contacts.end());
     resolve_contacts(scene.geometry, scene.start, 1e-6, contacts, scene.end);
     const Contact& contact = contacts[0];
     double mobility = 0;
@@ -155,6 +156,7 @@ TEST(Response, PinnedVerticesAndCollidersStayAndTheOthersGiveWay) {
   Scene scene = colliding(4, 0.5, {0.02, 0, 0});
   for (int v = 0; v < 3; ++v) scene.geometry.inverse_masses[v] = 0;
   const std::vector<Contact> contacts = resolve(scene);
+  ASSERT_FALSE(contacts.empty());
   for (int v = 0; v < 3; ++v) EXPECT_EQ(scene.end[v], scene.start[v]);
   EXPECT_NEAR(gap(contacts[0], scene.end), thickness, 0.02 * thickness);
 }
