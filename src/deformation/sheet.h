@@ -9,10 +9,10 @@ namespace drape {
 
 // Elastic constants of one material, in physical units.
 struct ElasticMaterial {
-  double density = 0.2;             // kg/m2
-  double stretch_stiffness = 5000;  // N/m
-  double bend_stiffness = 1e-5;     // N m
-  double damping = 2;               // 1/s
+  double density = 0.2;              // kg/m2
+  double stretch_stiffness = 20000;  // N/m
+  double bend_stiffness = 1e-5;      // N m
+  double damping = 50;               // 1/s
 };
 
 // All cloths of a simulation as one mesh: what elastic elements are built from.

@@ -12,12 +12,12 @@
 namespace drape {
 
 struct ClothMaterial {
-  double density = 0.2;             // kg/m2
-  double thickness = 0.005;         // m: the distance that contact keeps between mid-surfaces
-  double stretch_stiffness = 5000;  // N/m: tension per width at a strain of 1
-  double bend_stiffness = 1e-5;     // N m: flexural rigidity
-  double damping = 2;               // 1/s: the rate at which bending motion dies
-  double friction = 0.3;            // Coulomb's coefficient
+  double density = 0.2;              // kg/m2
+  double thickness = 0.005;          // m: the distance that contact keeps between mid-surfaces
+  double stretch_stiffness = 20000;  // N/m: tension per width at a strain of 1
+  double bend_stiffness = 1e-5;      // N m: flexural rigidity
+  double damping = 50;               // 1/s: the rate at which bending motion dies
+  double friction = 0.3;             // Coulomb's coefficient
 };
 
 // Vertices that follow a motion, or stay where they start. `motion` turns about the centroid of the vertices.

@@ -1,7 +1,7 @@
 cmake_minimum_required(VERSION 3.25)
 # Each third-party package is included by one file, or one pair of .h and .cpp: whoever replaces the package finds
 # all of its use there. fmt is exempt: text is made everywhere.
-set(packages Eigen/ oneapi/tbb xxhash.h zstd.h assimp/ opensubdiv/ GL/osmesa.h EGL/ png.h yaml-cpp/ CLI/ nlohmann/ spdlog/)
+set(packages Eigen/ oneapi/tbb xxhash.h zstd.h assimp/ opensubdiv/ GL/osmesa.h EGL/ png.h yaml-cpp/ CLI/ nlohmann/)
 
 file(GLOB_RECURSE sources ${ROOT}/src/*.h ${ROOT}/src/*.cpp ${ROOT}/render/*.h ${ROOT}/render/*.cpp)
 foreach(package IN LISTS packages)
