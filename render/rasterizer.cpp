@@ -141,8 +141,7 @@ static Image read_picture(const GlFunctions& gl, const RenderTarget& target) {
 Rasterizer::Rasterizer() : state_(std::make_unique<State>()) {}
 Rasterizer::~Rasterizer() = default;
 
-Image Rasterizer::draw(const std::vector<Surface>& surfaces, const View& view, const Settings& settings,
-                       int /*frame*/) {
+Image Rasterizer::draw(const std::vector<Surface>& surfaces, const View& view, const Settings& settings) {
   if (settings.passes < 1) throw std::invalid_argument("a picture needs at least one pass");
   State& state = *state_;
   state.context.make_current();

@@ -17,7 +17,7 @@ class Rasterizer {
   ~Rasterizer();
   Rasterizer(const Rasterizer&) = delete;
   Rasterizer& operator=(const Rasterizer&) = delete;
-  Image draw(const std::vector<Surface>& surfaces, const View& view, const Settings& settings, int frame);
+  Image draw(const std::vector<Surface>& surfaces, const View& view, const Settings& settings);
 
  private:
   struct State;

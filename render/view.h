@@ -75,7 +75,7 @@ struct View {
 struct Settings {
   int width = 1280;
   int height = 720;
-  int passes = 16;  // accumulated: draft 4, preview 16, final 64
+  int passes = 8;  // accumulated; 2 show the shapes, 32 have smooth shadows
 };
 
 }  // namespace drape::render

@@ -72,12 +72,12 @@ static void add_view(Hasher& hasher, const render::View& view) {
 }
 
 std::uint64_t picture_key(const std::vector<render::Surface>& surfaces, const render::View& view,
-                          const render::Settings& settings, int frame) {
+                          const render::Settings& settings) {
   Hasher hasher;
   for (const render::Surface& surface : surfaces) add_surface(hasher, surface);
   add_view(hasher, view);
   const auto& [width, height, passes] = settings;
-  for (const int number : {width, height, passes, frame}) add_number(hasher, number);
+  for (const int number : {width, height, passes}) add_number(hasher, number);
   return hasher.digest();
 }
 

@@ -11,7 +11,7 @@ namespace drape::app {
 
 // A hash of all that a picture depends on: the arguments of Rasterizer::draw.
 std::uint64_t picture_key(const std::vector<render::Surface>& surfaces, const render::View& view,
-                          const render::Settings& settings, int frame);
+                          const render::Settings& settings);
 
 // What a picture in the folder of frames was made from, kept beside it in a small file of its own, so that
 // several machines may render parts of one film into one folder.

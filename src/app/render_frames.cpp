@@ -25,7 +25,6 @@ struct Picture {
   std::vector<render::Surface> surfaces;
   render::View view;
   render::Settings settings;
-  int frame = 0;
 };
 
 // What the workers share.
@@ -49,12 +48,11 @@ struct Job {
 
 static Picture describe_picture(const Run& run, const PreparedScene& scene, int frame) {
   const CachedFrame cached = read_cached_frame(run.folder.cache(), run.manifest.fingerprint, frame);
-  return {frame_surfaces(scene, cached), frame_view(run.scene, cached), picture_settings(run.scene.render),
-          frame};
+  return {frame_surfaces(scene, cached), frame_view(run.scene, cached), picture_settings(run.scene.render)};
 }
 
 static render::Image draw(render::Rasterizer& rasterizer, const Picture& picture) {
-  return rasterizer.draw(picture.surfaces, picture.view, picture.settings, picture.frame);
+  return rasterizer.draw(picture.surfaces, picture.view, picture.settings);
 }
 
 // Whether the picture in the folder is the one that would be drawn now.
@@ -72,7 +70,7 @@ static std::pair<std::uint64_t, bool> provide_frame(const Job& job,
                                                     int frame) {
   const auto path = job.run.folder.frames() / frame_file_name(frame, ".png");
   const Picture picture = describe_picture(job.run, job.scene, frame);
-  const std::uint64_t key = picture_key(picture.surfaces, picture.view, picture.settings, frame);
+  const std::uint64_t key = picture_key(picture.surfaces, picture.view, picture.settings);
   if (is_current(job, path, key)) return {file_hash(path), false};
   if (!rasterizer) rasterizer.emplace();  // only where there is something to draw: a context takes a second
   render::write_png(path, draw(*rasterizer, picture));

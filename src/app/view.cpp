@@ -47,13 +47,13 @@ render::View frame_view(const SceneDescription& scene, const CachedFrame& frame)
 static int passes_for(Quality quality) {
   switch (quality) {
     case Quality::draft:
-      return 4;
+      return 2;
     case Quality::preview:
-      return 16;
+      return 8;
     case Quality::final:
-      return 64;
+      return 32;
   }
-  return 16;
+  return 8;
 }
 
 render::Settings picture_settings(const RenderDescription& render) {

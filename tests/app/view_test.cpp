@@ -56,9 +56,9 @@ TEST(Ground, IsNotDrawnWhereThereIsNone) {
 TEST(PictureSettings, QualityIsTheNumberOfPasses) {
   RenderDescription render;
   render.quality = Quality::draft;
-  EXPECT_EQ(picture_settings(render).passes, 4);
+  EXPECT_EQ(picture_settings(render).passes, 2);
   render.quality = Quality::final;
-  EXPECT_EQ(picture_settings(render).passes, 64);
+  EXPECT_EQ(picture_settings(render).passes, 32);
 }
 
 }  // namespace

@@ -27,9 +27,7 @@ bool look_the_same(const Image& a, const Image& b) {
   return compare_images(a, b, tolerance).share_over <= allowed_share;
 }
 
-Image draw(const FixedScene& scene) {
-  return Rasterizer().draw(scene.surfaces, scene.view, golden_settings, 0);
-}
+Image draw(const FixedScene& scene) { return Rasterizer().draw(scene.surfaces, scene.view, golden_settings); }
 
 // What a person needs to see what changed, beside the test's working folder.
 void keep_evidence(const std::string& name, const Image& drawn, const Image& reference) {

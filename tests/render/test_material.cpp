@@ -8,9 +8,7 @@ namespace {
 
 constexpr Settings settings{96, 96, 8};
 
-Image draw_wall(const Surface& wall, const View& view) {
-  return Rasterizer().draw({wall}, view, settings, 0);
-}
+Image draw_wall(const Surface& wall, const View& view) { return Rasterizer().draw({wall}, view, settings); }
 
 Vec3f middle(const Image& image) { return pixel(image, image.width / 2, image.height / 2); }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr Settings small{96, 64, 4};
 
 Image draw(const FixedScene& scene, const Settings& settings = small) {
-  return Rasterizer().draw(scene.surfaces, scene.view, settings, 0);
+  return Rasterizer().draw(scene.surfaces, scene.view, settings);
 }
 
 // A matte wall in even light has one radiance all over, so what a pixel shows tells how much of it is
@@ -73,25 +73,25 @@ TEST(Rasterizer, AnEmptySceneIsTheBackdrop) {
 TEST(Rasterizer, EqualArgumentsGiveEqualPictures) {
   const FixedScene scene = fixed_scenes().back();
   Rasterizer rasterizer;
-  const Image first = rasterizer.draw(scene.surfaces, scene.view, small, 3);
-  EXPECT_EQ(first.rgb, rasterizer.draw(scene.surfaces, scene.view, small, 3).rgb);
+  const Image first = rasterizer.draw(scene.surfaces, scene.view, small);
+  EXPECT_EQ(first.rgb, rasterizer.draw(scene.surfaces, scene.view, small).rgb);
   EXPECT_EQ(first.rgb, draw(scene).rgb);
 }
 
 TEST(Rasterizer, WhatWasDrawnBeforeLeavesNoTrace) {
   const std::vector<FixedScene> scenes = fixed_scenes();
   Rasterizer rasterizer;
-  rasterizer.draw(scenes[4].surfaces, scenes[4].view, {130, 70, 3}, 0);
-  EXPECT_EQ(rasterizer.draw(scenes[0].surfaces, scenes[0].view, small, 0).rgb, draw(scenes[0]).rgb);
+  rasterizer.draw(scenes[4].surfaces, scenes[4].view, {130, 70, 3});
+  EXPECT_EQ(rasterizer.draw(scenes[0].surfaces, scenes[0].view, small).rgb, draw(scenes[0]).rgb);
 }
 
 TEST(Rasterizer, TwoInOneThreadDoNotDisturbEachOther) {
   const std::vector<FixedScene> scenes = fixed_scenes();
   Rasterizer first;
   Rasterizer second;
-  const Image ball = first.draw(scenes[0].surfaces, scenes[0].view, small, 0);
-  second.draw(scenes[1].surfaces, scenes[1].view, small, 0);
-  EXPECT_EQ(first.draw(scenes[0].surfaces, scenes[0].view, small, 0).rgb, ball.rgb);
+  const Image ball = first.draw(scenes[0].surfaces, scenes[0].view, small);
+  second.draw(scenes[1].surfaces, scenes[1].view, small);
+  EXPECT_EQ(first.draw(scenes[0].surfaces, scenes[0].view, small).rgb, ball.rgb);
 }
 
 TEST(Rasterizer, TwoThreadsGiveThePicturesOfOne) {
@@ -105,32 +105,24 @@ TEST(Rasterizer, TwoThreadsGiveThePicturesOfOne) {
   EXPECT_EQ(at_once[1].rgb, draw(scenes[2]).rgb);
 }
 
-// What stands still must not flicker in a video.
-TEST(Rasterizer, AStillSceneLooksTheSameInEveryFrame) {
-  const FixedScene scene = fixed_scenes().front();
-  Rasterizer rasterizer;
-  EXPECT_EQ(rasterizer.draw(scene.surfaces, scene.view, small, 1).rgb,
-            rasterizer.draw(scene.surfaces, scene.view, small, 2).rgb);
-}
-
 TEST(Rasterizer, RefusesWhatItCannotDraw) {
   Rasterizer rasterizer;
-  EXPECT_THROW(rasterizer.draw({}, {}, {64, 64, 0}, 0), std::invalid_argument);
-  EXPECT_THROW(rasterizer.draw({}, {}, {0, 64, 1}, 0), RenderError);
-  EXPECT_THROW(rasterizer.draw({}, {}, {100000, 64, 1}, 0), RenderError);
+  EXPECT_THROW(rasterizer.draw({}, {}, {64, 64, 0}), std::invalid_argument);
+  EXPECT_THROW(rasterizer.draw({}, {}, {0, 64, 1}), RenderError);
+  EXPECT_THROW(rasterizer.draw({}, {}, {100000, 64, 1}), RenderError);
   Surface wall = make_wall();
   wall.normals.pop_back();
-  EXPECT_THROW(rasterizer.draw({wall}, {}, small, 0), std::invalid_argument);
+  EXPECT_THROW(rasterizer.draw({wall}, {}, small), std::invalid_argument);
   wall = make_wall();
   wall.triangles.push_back({0, 1, 4});
-  EXPECT_THROW(rasterizer.draw({wall}, {}, small, 0), std::invalid_argument);
+  EXPECT_THROW(rasterizer.draw({wall}, {}, small), std::invalid_argument);
 }
 
 TEST(Rasterizer, DrawsOnAfterARefusal) {
   Rasterizer rasterizer;
-  EXPECT_THROW(rasterizer.draw({}, {}, {100000, 64, 1}, 0), RenderError);
+  EXPECT_THROW(rasterizer.draw({}, {}, {100000, 64, 1}), RenderError);
   const FixedScene scene = fixed_scenes().front();
-  EXPECT_EQ(rasterizer.draw(scene.surfaces, scene.view, small, 0).rgb, draw(scene).rgb);
+  EXPECT_EQ(rasterizer.draw(scene.surfaces, scene.view, small).rgb, draw(scene).rgb);
 }
 
 TEST(Rasterizer, LooksStraightDown) {
