@@ -42,16 +42,26 @@ float sky_visibility(int i, vec3 position, vec3 side, vec3 scatter) {
   return visibility(sky_map, i, sky_map_from_world[i], position, side, sky_scatter * scatter, sky_direction[i].w);
 }
 
-// How far the pixels spread round the direction below: without, the few directions draw the sun's shadow on the
-// ground, edge by edge, onto what it lights.
+// How far the pixels spread round the direction below, over the way to the ground: without, the few directions draw
+// the sun's shadow on the ground, edge by edge, onto what it lights.
 const float spread_below = 0.35;
 
-// The light that comes up from the point of the ground that is seen from `position` along the direction below.
+// The share of the ground round `place` that the sun reaches: four taps, a quarter turn of `scatter` apart.
+float sunlit_share(vec3 place, vec2 scatter) {
+  float sum = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    sum += visibility(sun_map, 0, sun_map_from_world[0], place + vec3(scatter.x, 0.0, scatter.y), vec3(0.0),
+                      vec3(0.0), 0.0);
+    scatter = vec2(-scatter.y, scatter.x);
+  }
+  return 0.25 * sum;
+}
+
+// The light that comes up from the ground that is seen from `position` round the direction below.
 vec3 radiance_from_below(vec3 position, vec3 scatter) {
-  vec3 down = sky_direction[below].xyz + spread_below * vec3(scatter.x, 0.0, scatter.y);
+  vec3 down = sky_direction[below].xyz;
   float distance = max(position.y - ground_fade.y, 0.0) / max(-down.y, 0.05);
-  vec3 place = position + distance * down;
-  float sunlit = visibility(sun_map, 0, sun_map_from_world[0], place, vec3(0.0), vec3(0.0), 0.0);
+  float sunlit = sunlit_share(position + distance * down, distance * spread_below * scatter.xy);
   return ground_radiance.rgb + sunlit * sunlit_ground_radiance.rgb;
 }
 
