@@ -1,5 +1,6 @@
 #include <GL/osmesa.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <string>
@@ -12,6 +13,9 @@ namespace drape::render {
 
 // OSMesa wants a buffer of its own to draw into; nothing is ever drawn there.
 static constexpr int unused_size = 4;
+
+// llvmpipe's own limit.
+static constexpr int most_threads = 16;
 
 struct Context::Handle {
   OSMesaContext context = nullptr;
@@ -59,9 +63,10 @@ Context::Function Context::function(const char* name) const {
   return address;
 }
 
-void configure_software_rendering() {
+void configure_software_rendering(int threads) {
   const int keep_what_the_user_set = 0;
-  ::setenv("LP_NUM_THREADS", "0", keep_what_the_user_set);
+  const int helpers = threads > 1 ? std::min(threads, most_threads) : 0;
+  ::setenv("LP_NUM_THREADS", std::to_string(helpers).c_str(), keep_what_the_user_set);
 }
 
 }  // namespace drape::render

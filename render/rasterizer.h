@@ -24,7 +24,9 @@ class Rasterizer {
   std::unique_ptr<State> state_;
 };
 
-// Call once, before the first Rasterizer: one thread a context, so that frames are what runs in parallel.
-void configure_software_rendering();
+// Call once, before the first Rasterizer, with the number of threads to draw with. All contexts of a process
+// share one rasteriser, which takes one picture at a time: it needs threads of its own for contexts in
+// several threads to gain by them. The pictures are the same for any number.
+void configure_software_rendering(int threads);
 
 }  // namespace drape::render

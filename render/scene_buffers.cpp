@@ -16,19 +16,21 @@ static void use_depth_program(const GlFunctions& gl, const ShaderProgram& progra
   program.set("clip_from_position", clip_from_world);
 }
 
+// Of what is solid only the side towards the viewer, or towards the light: the other one lies behind it.
+static void draw_near_side(const GlFunctions& gl, const Surface& surface, const SurfaceBuffers& buffers) {
+  if (!surface.two_sided) gl.Enable(GL_CULL_FACE);
+  draw_surface(gl, buffers);
+  gl.Disable(GL_CULL_FACE);
+}
+
 void draw_shadow_depth(const GlFunctions& gl, const ShaderProgram& depth_program,
                        const Mat4f& clip_from_world, const SceneBuffers& scene) {
   use_depth_program(gl, depth_program, clip_from_world);
   gl.Enable(GL_POLYGON_OFFSET_FILL);
   gl.PolygonOffset(1, 1);
-  for (const SurfaceBuffers& buffers : scene.buffers) draw_surface(gl, buffers);
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i)
+    draw_near_side(gl, scene.surfaces[i], scene.buffers[i]);
   gl.Disable(GL_POLYGON_OFFSET_FILL);
-}
-
-static void draw_seen_side(const GlFunctions& gl, const Surface& surface, const SurfaceBuffers& buffers) {
-  if (!surface.two_sided) gl.Enable(GL_CULL_FACE);
-  draw_surface(gl, buffers);
-  gl.Disable(GL_CULL_FACE);
 }
 
 void draw_seen_depth(const GlFunctions& gl, const ShaderProgram& depth_program, const Mat4f& clip_from_world,
@@ -36,14 +38,14 @@ void draw_seen_depth(const GlFunctions& gl, const ShaderProgram& depth_program, 
   use_depth_program(gl, depth_program, clip_from_world);
   gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i)
-    draw_seen_side(gl, scene.surfaces[i], scene.buffers[i]);
+    draw_near_side(gl, scene.surfaces[i], scene.buffers[i]);
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 static void draw_surfaces(const GlFunctions& gl, SurfacePrograms& programs, const SceneBuffers& scene) {
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     programs.use_for(scene.surfaces[i]);
-    draw_seen_side(gl, scene.surfaces[i], scene.buffers[i]);
+    draw_near_side(gl, scene.surfaces[i], scene.buffers[i]);
   }
 }
 

@@ -75,7 +75,7 @@ struct View {
 struct Settings {
   int width = 1280;
   int height = 720;
-  int passes = 8;  // accumulated; 2 show the shapes, 32 have smooth shadows
+  int passes = 6;  // accumulated; 2 show the shapes, 32 have smooth shadows
 };
 
 }  // namespace drape::render

@@ -6,8 +6,8 @@
 
 namespace drape::app {
 
-static constexpr int segments = 96;  // round a sphere: smooth at the size of a picture
-static constexpr int rings = 48;
+static constexpr int segments = 64;  // round a sphere: smooth at the size of a picture
+static constexpr int rings = 32;
 static constexpr double plane_size = 4;       // metres; a plane has no end, but a picture of it must
 static constexpr double crease_degrees = 40;  // a box has edges, a cylinder of ten sides is still round
 

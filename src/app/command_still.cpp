@@ -21,7 +21,7 @@ int still_command(const Options& options, const Console&) {
   const int frame = only_frame(run, options);
   std::filesystem::path target = options.output;
   if (target.empty()) target = run.folder.root / ("still_" + frame_file_name(frame, ".png"));
-  render::write_png(target, draw_frame(run, frame));
+  render::write_png(target, draw_frame(run, frame, options));
   print_result(target.string());
   return static_cast<int>(ExitStatus::done);
 }

@@ -107,10 +107,9 @@ static void run_workers(Job& job, int threads) {
   for (int i = 0; i < threads; ++i) workers.emplace_back([&job] { work_and_catch(job); });
 }
 
-static int worker_count(const Options& options, std::size_t frames) {
-  const int wanted =
-      options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
-  return std::clamp(wanted, 1, std::max(1, static_cast<int>(frames)));
+static int thread_count(const Options& options) {
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  return options.threads > 0 ? options.threads : std::max(1, cores);
 }
 
 // Parts of a film are drawn by several processes, perhaps at a time: they leave the record alone.
@@ -124,13 +123,13 @@ static void record_pictures(Run& run, const Job& job) {
 }
 
 void render_frames(Run& run, const std::vector<int>& frames, const Options& options, const Console& console) {
-  render::configure_software_rendering();
+  render::configure_software_rendering(thread_count(options));
   Progress progress(console, "render", static_cast<int>(frames.size()));
   Job job{run, frames, options, prepare_scene(run.scene), program_build(), progress};
   StageTiming timing;
   {
     const StageTimer timer(timing);
-    run_workers(job, worker_count(options, frames.size()));
+    run_workers(job, std::min(thread_count(options), static_cast<int>(frames.size())));
   }
   if (job.drawn > 0) run.manifest.stages["render"] = timing;
   record_pictures(run, job);
@@ -139,8 +138,8 @@ void render_frames(Run& run, const std::vector<int>& frames, const Options& opti
   throw_if_stopped();
 }
 
-render::Image draw_frame(const Run& run, int frame) {
-  render::configure_software_rendering();
+render::Image draw_frame(const Run& run, int frame, const Options& options) {
+  render::configure_software_rendering(thread_count(options));
   const Picture picture = describe_picture(run, prepare_scene(run.scene), frame);
   render::Rasterizer rasterizer;
   return draw(rasterizer, picture);

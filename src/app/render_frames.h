@@ -15,6 +15,6 @@ namespace drape::app {
 void render_frames(Run& run, const std::vector<int>& frames, const Options& options, const Console& console);
 
 // The picture of one cached frame.
-render::Image draw_frame(const Run& run, int frame);
+render::Image draw_frame(const Run& run, int frame, const Options& options);
 
 }  // namespace drape::app

@@ -49,11 +49,11 @@ static int passes_for(Quality quality) {
     case Quality::draft:
       return 2;
     case Quality::preview:
-      return 8;
+      return 6;
     case Quality::final:
       return 32;
   }
-  return 8;
+  return 6;
 }
 
 render::Settings picture_settings(const RenderDescription& render) {

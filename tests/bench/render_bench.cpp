@@ -75,7 +75,7 @@ BENCHMARK(write_frame)->Unit(benchmark::kMillisecond);
 }  // namespace drape::render
 
 int main(int argc, char** argv) {
-  drape::render::configure_software_rendering();
+  drape::render::configure_software_rendering(1);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();
