@@ -64,3 +64,5 @@ BENCHMARK(pull_pass)->Args({71, 1})->Args({71, 2})->Args({224, 1})->Args({224, 2
 
 }  // namespace
 }  // namespace drape
+
+BENCHMARK_MAIN();
