@@ -59,11 +59,12 @@ Contact make_contact(const NarrowPhase& phase, const ContactPair& pair, const Cl
   contact.vertices = pair.vertices;
   contact.weights = closest.weights;
   contact.normal = closest.difference / closest.distance;
-  contact.target = std::min(pair.thickness, start_distance);
-  contact.push_target = healed_distance(pair.thickness, start_distance);
+  contact.target = pair.radius + std::min(pair.thickness, start_distance - pair.radius);
+  contact.push_target = pair.radius + healed_distance(pair.thickness, start_distance - pair.radius);
   contact.friction = pair.friction;
   contact.turn = turning(phase, pair, closest, start, end);
   contact.thickness = pair.thickness;
+  contact.radius = pair.radius;
   contact.counts_edge_ends = pair.counts_edge_ends;
   return contact;
 }
@@ -84,13 +85,14 @@ void examine_pair(const NarrowPhase& phase, double way_before, double way_in_ste
                   std::vector<Contact>& out) {
   const FourPoints start = gather(phase.motion.start, pair.vertices);
   const ClosestPoints at_start = closest_points(pair.kind, start);
-  const double reach = (1 + arrival_share) * pair.thickness;
+  const double reach = pair.radius + (1 + arrival_share) * pair.thickness;
   pair.expiry = way_before + at_start.distance - reach;
   if (way_before + way_in_step < pair.expiry) return;
   const FourPoints end = gather(phase.motion.end, pair.vertices);
   ClosestPoints closest = at_start;
   if (at_start.distance > reach) {
-    const auto time = time_of_contact(pair.kind, start, end, pair.thickness, arrival_share * pair.thickness);
+    const auto time =
+        time_of_contact(pair.kind, start, end, pair.radius + pair.thickness, arrival_share * pair.thickness);
     if (!time) return;
     closest = closest_points(pair.kind, at_time(start, end, *time));
   }
@@ -154,9 +156,13 @@ void find_plane_contacts(const NarrowPhase& phase, std::vector<Contact>& contact
 }
 
 static ContactPair pair_of(const Contact& contact) {
-  return {contact.vertices,         static_cast<PairKind>(contact.key.first),
-          contact.counts_edge_ends, contact.thickness,
-          contact.friction,         0};
+  return {contact.vertices,
+          static_cast<PairKind>(contact.key.first),
+          contact.counts_edge_ends,
+          contact.thickness,
+          contact.radius,
+          contact.friction,
+          0};
 }
 
 void find_moved_contacts(const NarrowPhase& phase, const std::vector<Contact>& known,

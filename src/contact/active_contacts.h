@@ -23,7 +23,8 @@ struct Contact {
   double push_target;  // m: what the push after the step grows towards
   double friction;
   Vec3 turn;         // m: what the turning of a rounded or plane collider adds to the sides' relative motion
-  double thickness;  // m
+  double thickness;  // m, between the surfaces
+  double radius;     // m, of rounded colliders
   bool counts_edge_ends;
   double impulse = 0;                    // lambda: kg m, never negative
   Vec3 friction_impulse = Vec3::Zero();  // across the normal, no longer than friction * impulse

@@ -26,7 +26,11 @@ double pair_thickness(const ContactGeometry& geometry, PairKind kind, const std:
 double largest_thickness(const ContactGeometry& geometry, int body_a, int body_b) {
   const ContactBody &first = geometry.bodies[body_a], &second = geometry.bodies[body_b];
   if (first.is_cloth && second.is_cloth) return 0.5 * (first.thickness + second.thickness);
-  return first.thickness + second.thickness + first.radius + second.radius;
+  return first.thickness + second.thickness;
+}
+
+double pair_radius(const ContactGeometry& geometry, int body_a, int body_b) {
+  return geometry.bodies[body_a].radius + geometry.bodies[body_b].radius;
 }
 
 double pair_friction(const ContactGeometry& geometry, int body_a, int body_b) {

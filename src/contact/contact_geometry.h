@@ -43,18 +43,22 @@ struct ContactPair {
   std::array<int, 4> vertices;
   PairKind kind;
   bool counts_edge_ends;  // an edge of no triangle: its closest points at edge ends are nobody else's
-  double thickness;       // m, between the closest points, radii of colliders included
+  double thickness;       // m, between the surfaces
+  double radius;  // m: of rounded colliders; the closest points are farther apart by it than the surfaces
   double friction;
   double expiry;  // the sum of its vertices' travelled ways up to which it stays apart
 };
 
-// The distance to keep. Between bodies: half of each cloth's thickness, or all of it against a collider, and
-// the collider's radius. Within a cloth: its thickness, but no more than 2/pi of the distance in the rest
+// The distance that surfaces keep. Between bodies: half of each cloth's thickness, or all of it against a
+// collider. Within a cloth: its thickness, but no more than 2/pi of the distance in the rest
 // shape, which bending to a radius of half the thickness never reaches.
 double pair_thickness(const ContactGeometry& geometry, PairKind kind, const std::array<int, 4>& vertices);
 
 // The most that pair_thickness gives for the two bodies.
 double largest_thickness(const ContactGeometry& geometry, int body_a, int body_b);
+
+// What rounded colliders add to the distance of the closest points of their vertices and edges.
+double pair_radius(const ContactGeometry& geometry, int body_a, int body_b);
 
 // The geometric mean of the two bodies' coefficients.
 double pair_friction(const ContactGeometry& geometry, int body_a, int body_b);

@@ -1,7 +1,6 @@
 #include "contact/fail_safe.h"
 
 #include <algorithm>
-#include <cassert>
 
 #include "contact/conservative_advancement.h"
 #include "core/parallel.h"
@@ -14,6 +13,7 @@ struct Progress {
   std::vector<double> share;
   std::vector<double> body_share;
   std::vector<char> changed;  // vertices whose share this pass has cut
+  bool plane_cut = false;  // whether it has cut a plane's, which may tilt: all vertices over it count again
 };
 
 struct Work {
@@ -79,7 +79,7 @@ Separation separate(const Work& work, const ContactPair& pair, const FourPoints&
 
 // Cuts the vertex's way where `height` (its room above a plane at the start) is used up by its `fall`.
 void limit(Progress& progress, int vertex, double height, double fall) {
-  if (fall * progress.share[vertex] <= height) return;
+  if (fall <= 0 || fall * progress.share[vertex] <= height) return;
   progress.share[vertex] = std::max(0.0, height) / fall * (1 - 1e-12);
   progress.changed[vertex] = 1;
 }
@@ -95,20 +95,25 @@ void lock(const Work& work, const ContactPair& pair, const FourPoints& start, co
   }
 }
 
+// Sides that touch in a point have no direction to part them.
+void stop(const Work& work, const ContactPair& pair) {
+  for (const int v : pair.vertices) {
+    work.progress.changed[v] |= work.progress.share[v] > 0;
+    work.progress.share[v] = 0;
+  }
+}
+
 // Whether the pair, as far as its vertices go now, keeps its gap all the way.
 bool keeps_gap(const Work& work, const ContactPair& pair, const FourPoints& start, double distance,
                double gap) {
   const FourPoints x = reached(work, pair);
   if (distance - relative_motion(pair.kind, start, x) > gap) return true;
-  return !time_of_contact(pair.kind, start, x, gap, 0.01 * gap);
+  return !time_of_contact(pair.kind, start, x, gap, 0.01 * work.least_gap);
 }
 
-// The gap that is kept between the surfaces: rounded colliders are balls round their points and edges.
+// The distance that the closest points keep.
 double kept_gap(const Work& work, const ContactPair& pair, double distance) {
-  const auto bodies = pair_bodies(work.phase.geometry, pair.kind, pair.vertices);
-  const double radius =
-      work.phase.geometry.bodies[bodies[0]].radius + work.phase.geometry.bodies[bodies[1]].radius;
-  return std::min(radius + work.least_gap, distance);
+  return std::min(pair.radius + work.least_gap, distance);
 }
 
 // The pairs of the list that may come close in this step at all, by their travelled ways.
@@ -169,9 +174,11 @@ void lock_colliding_pairs(const Work& work, Watch& watch, bool first_pass,
     const ContactPair& pair = watch.list.pairs[watch.pairs[w]];
     const FourPoints start = gather(work.phase.motion.start, pair.vertices);
     const ClosestPoints closest = closest_points(pair.kind, start);
-    assert(closest.distance > 0);
     watch.locked[w] = 1;
-    lock(work, pair, start, separate(work, pair, start, closest, kept_gap(work, pair, closest.distance)));
+    if (closest.distance > 0)
+      lock(work, pair, start, separate(work, pair, start, closest, kept_gap(work, pair, closest.distance)));
+    else
+      stop(work, pair);
   }
 }
 
@@ -190,8 +197,9 @@ void hold_over_plane(const Work& work, const ContactPlane& plane, int v) {
   const auto fall = [&] { return progress.share[v] * vertex_fall + plane_share * plane_rise; };
   if (fall() <= room) return;
   if (vertex_fall > 0) limit(progress, v, room - plane_share * plane_rise, vertex_fall);
-  if (fall() > room && plane_rise > 0)
-    plane_share = std::max(0.0, (room - progress.share[v] * vertex_fall) / plane_rise);
+  if (fall() <= room || plane_rise <= 0) return;
+  plane_share = std::max(0.0, room - progress.share[v] * vertex_fall) / plane_rise * (1 - 1e-12);
+  progress.plane_cut = true;
 }
 
 void hold_over_planes(const Work& work) {
@@ -223,7 +231,7 @@ FailSafeResult hold_back(const NarrowPhase& phase, const std::vector<ProximityLi
                          std::vector<Vec3>& end) {
   const std::size_t vertices = end.size();
   Progress progress{
-      std::vector<double>(vertices, 1.0), std::vector<double>(phase.geometry.bodies.size(), 1.0), {}};
+      std::vector<double>(vertices, 1.0), std::vector<double>(phase.geometry.bodies.size(), 1.0), {}, false};
   const Work work{phase, end, least_gap, progress};
   std::vector<Watch> watches;
   for (const ProximityList& list : lists) {
@@ -237,11 +245,13 @@ FailSafeResult hold_back(const NarrowPhase& phase, const std::vector<ProximityLi
     cut_before.swap(progress.changed);
     cut_before.resize(vertices, 0);
     progress.changed.assign(vertices, 0);
+    progress.plane_cut = false;
     for (Watch& watch : watches) lock_colliding_pairs(work, watch, result.passes == 0, cut_before);
     hold_over_planes(work);
     keep_colliders_rigid(work);
     ++result.passes;
-  } while (std::find(progress.changed.begin(), progress.changed.end(), 1) != progress.changed.end());
+  } while (progress.plane_cut ||
+           std::find(progress.changed.begin(), progress.changed.end(), 1) != progress.changed.end());
 
   for (std::size_t v = 0; v < vertices; ++v)
     if (progress.share[v] < 1) {

@@ -131,7 +131,8 @@ void add_pair(const Builder& builder, PairKind kind, const std::array<int, 4>& v
               std::vector<ContactPair>& out) {
   if (share_a_vertex(vertices, kind) || all_kinematic(builder.geometry, vertices)) return;
   const auto [a, b] = pair_bodies(builder.geometry, kind, vertices);
-  const double most = largest_thickness(builder.geometry, a, b) + reach_of(builder, kind, vertices);
+  const double radius = pair_radius(builder.geometry, a, b);
+  const double most = radius + largest_thickness(builder.geometry, a, b) + reach_of(builder, kind, vertices);
   const FourPoints start = gather(builder.start, vertices);
   if (distance_bound(start, kind) > most) return;
   const double distance = closest_points(kind, start).distance;
@@ -140,8 +141,8 @@ void add_pair(const Builder& builder, PairKind kind, const std::array<int, 4>& v
     return builder.geometry.bodies[body].triangle_begin == builder.geometry.bodies[body].triangle_end;
   };
   const double thickness = pair_thickness(builder.geometry, kind, vertices);
-  out.push_back({vertices, kind, bare_edge(a) || bare_edge(b), thickness,
-                 pair_friction(builder.geometry, a, b), distance - 1.02 * thickness});
+  out.push_back({vertices, kind, bare_edge(a) || bare_edge(b), thickness, radius,
+                 pair_friction(builder.geometry, a, b), distance - radius - 1.02 * thickness});
 }
 
 // Pairs of two lists of primitives whose boxes overlap, in the order of the queries.

@@ -35,7 +35,9 @@ int group_root(const ContactGeometry& geometry, const Contact& contact, std::vec
 
 Vec3 weighted_sum(const Contact& contact, const std::vector<Vec3>& x) {
   Vec3 sum = Vec3::Zero();
-  for (int i = 0; i < 4; ++i) sum += contact.weights[i] * x[contact.vertices[i]];
+  for (int i = 0; i < 4; ++i)
+    if (contact.weights[i] != 0)
+      sum += contact.weights[i] * x[contact.vertices[i]];  // may be another group's
   return sum;
 }
 

@@ -93,6 +93,7 @@ ContactStepResult advance_step(const World& world, double time, State& state, Sc
   timed(profile, Phase::other, [&] { aim_colliders(world, time, state, scratch); });
   const ContactStepResult contact = step_contacts(world.geometry, world.contact_settings, scratch.bodies,
                                                   scratch.start, scratch.contacts, profile, scratch.end);
+  check_finite(scratch.end);
   timed(profile, Phase::other, [&] { integrate(world, contact, state, scratch); });
   return contact;
 }

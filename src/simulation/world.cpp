@@ -100,7 +100,8 @@ std::vector<Pin> build_pins(const SimulationInput& input) {
   return pins;
 }
 
-bool holds(const Pin& pin, double time) { return !pin.until || time < *pin.until; }
+// Times are multiples of a frame's duration: what differs by rounding is the same frame.
+bool holds(const Pin& pin, double time) { return !pin.until || time < *pin.until - 1e-9; }
 
 std::vector<char> pinned_vertices(const World& world, double time) {
   std::vector<char> pinned(world.masses.size(), 0);

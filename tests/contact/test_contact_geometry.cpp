@@ -50,9 +50,11 @@ TEST(ContactGeometry, AClothKeepsItsThicknessFromACollider) {
   EXPECT_DOUBLE_EQ(bodies.thickness({0, v, v + 1, v + 2}), 0.004);
 }
 
-TEST(ContactGeometry, ARoundedColliderAddsItsRadius) {
+TEST(ContactGeometry, ARoundedColliderAddsItsRadiusBesideTheThickness) {
   const Bodies bodies;
-  EXPECT_DOUBLE_EQ(bodies.thickness({bodies.vertex(bodies.sphere), 0, 1, 2}), 0.304);
+  EXPECT_DOUBLE_EQ(bodies.thickness({bodies.vertex(bodies.sphere), 0, 1, 2}), 0.004);
+  EXPECT_DOUBLE_EQ(pair_radius(bodies.scene.geometry, bodies.sphere, bodies.first), 0.3);
+  EXPECT_DOUBLE_EQ(pair_radius(bodies.scene.geometry, bodies.first, bodies.second), 0);
 }
 
 TEST(ContactGeometry, WithinAClothTheRestDistanceIsTheMost) {

@@ -148,6 +148,17 @@ TEST(FailSafe, APointBeforeATriangleGoesNearlyAsFarAsTheGapAllows) {
   EXPECT_LT(scene.end[0].y(), 0.1 * 0.01);
 }
 
+// The ball is large beside the way: a pair's distance is that of its centre, but what counts is its surface.
+TEST(FailSafe, ALargeBallIsNotEnteredByASmallWay) {
+  Scene scene;
+  scene.add_cloth(test::shifted(make_grid({0.1, 0.1}, {3, 3}), {0, 0.51, 0}), thickness);
+  scene.add_sphere({0, 0, 0}, 0.5);
+  for (int v = 0; v < 9; ++v) scene.end[v].y() -= 0.03;
+  hold(scene);
+  for (int v = 0; v < 9; ++v) EXPECT_GE(scene.end[v].norm(), 0.5 + 0.99 * least_gap);
+  EXPECT_LT(scene.end[4].norm(), 0.5 + 0.1 * thickness);  // all but the room that is left to the ball
+}
+
 TEST(FailSafe, AColliderGoesOneShareOfItsWay) {
   Scene scene;
   scene.add_cloth(test::shifted(make_grid({0.3, 0.3}, {4, 4}), {0, 0.1, 0}), thickness);

@@ -46,6 +46,17 @@ TEST(ContactScenes, ASheetOnASphereKeepsItsThickness) {
   EXPECT_EQ(intersecting_pairs(simulation), 0);
 }
 
+TEST(ContactScenes, ClothThatStartsALittleInsideABallComesOutOfIt) {
+  SimulationInput input = simulate_alone(sheet(0.1, 6, 0.501));
+  input.gravity.setZero();
+  input.colliders.push_back({"ball", SphereShape{0.5}, {}, 0.3});
+  Simulation simulation(input);
+  const FrameStatistics statistics = advance(simulation, 10);
+  for (const Vec3& p : simulation.state().positions)
+    EXPECT_GT(p.norm() - 0.5, 0.85 * input.cloths[0].material.thickness);
+  EXPECT_LT(statistics.largest_speed, 0.1);  // it is not thrown out
+}
+
 TEST(ContactScenes, TwoLayersLieOnEachOther) {
   SimulationInput input;
   input.cloths = {sheet(0.4, 16, 0.006), sheet(0.4, 16, 0.02)};
