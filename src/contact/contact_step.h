@@ -18,9 +18,9 @@ struct ContactSettings {
 // From the cloths' mean edge length and thickness.
 ContactSettings contact_settings(const ContactGeometry& geometry);
 
-// What contact keeps from step to step: lists of the broad phase. None of it changes a result: it may be
-// cleared at any step (and is, at each frame's start, so that a resumed run does the same as one that never
-// stopped).
+// What contact keeps from step to step: lists of the broad phase. It is cleared at each frame's start: the
+// order of a list's pairs, which is that of the response, depends on when it was built, and a resumed run
+// must do the same as one that never stopped.
 struct ContactCache {
   std::vector<ProximityList> lists;
 };

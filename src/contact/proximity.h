@@ -30,7 +30,7 @@ struct StepMotion {
 // How far the list's frame moves in this step.
 Vec3 frame_motion(const ContactGeometry& geometry, const ProximityList& list, const StepMotion& motion);
 
-// Rebuilds the list where a vertex, at the start or the end, is out of its box; else keeps it. `pad` in
+// Rebuilds the list where a vertex is out of its box at the step's end; else keeps it. `pad` in
 // metres: the room that a box gives beyond the step's motion. Returns whether it was rebuilt.
 bool update_proximity(const ContactGeometry& geometry, const StepMotion& motion, double pad, double cell_size,
                       ProximityList& list);

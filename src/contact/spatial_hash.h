@@ -1,12 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
-#include "core/parallel.h"
 #include "core/vector.h"
 
 namespace drape {

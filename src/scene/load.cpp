@@ -60,7 +60,7 @@ void read_world(const Section& scene, SceneDescription& description) {
   read_boolean(simulation, "self_collision", description.self_collision);
 }
 
-// It may go into the names of files.
+// It is shown on one line.
 void read_name(const Section& scene, std::string& name) {
   constexpr std::size_t longest = 100;
   read_text(scene, "name", name);

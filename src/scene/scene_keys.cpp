@@ -57,7 +57,7 @@ constexpr Key general_keys[] = {
     numbers("simulation.gravity", 3, {acceleration, -1000, 1000}, "[x, y, z]; +y is up"),
     section("simulation.wind", "moving air"),
     numbers("simulation.wind.velocity", 3, {speed, -100, 100}, "[x, y, z]"),
-    number("simulation.wind.drag", plain, 0, 100, "coefficient on the normal component"),
+    number("simulation.wind.drag", plain, 0, 100, "coefficient on the normal component while a wind blows"),
     of_kind(KeyKind::boolean, "simulation.self_collision", "cloth against cloth"),
 };
 
