@@ -1,6 +1,8 @@
 #include "app/manifest.h"
 
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "core/error.h"
 #include "core/file.h"
@@ -20,10 +22,19 @@ static Json cpu_json(const Profile& profile) {
   return json;
 }
 
+// A figure that an older program did not know keeps its default. JSON has no word for a figure that is not
+// finite: null stands for it.
+template <typename Number>
+static Number figure_from(const Json& json, std::string_view name, Number otherwise) {
+  const auto found = json.find(name);
+  if (found == json.end()) return otherwise;
+  return found->is_null() ? std::numeric_limits<Number>::quiet_NaN() : found->template get<Number>();
+}
+
 static Profile profile_from(const Json& json) {
   Profile profile;
   for (std::size_t phase = 0; phase < phase_names.size(); ++phase) {
-    profile.cpu_seconds[phase] = json.value(std::string(phase_names[phase]), 0.0) / 1000;
+    profile.cpu_seconds[phase] = figure_from(json, phase_names[phase], 0.0) / 1000;
   }
   return profile;
 }
@@ -39,10 +50,9 @@ static Json statistics_json(const FrameStatistics& statistics) {
           {"cpu_ms", cpu_json(profile)}};
 }
 
-// A figure that an older program did not know keeps its default.
 static FrameStatistics statistics_from(const Json& json) {
   FrameStatistics statistics;
-  const auto read = [&](const char* name, auto& value) { value = json.value(name, value); };
+  const auto read = [&](const char* name, auto& value) { value = figure_from(json, name, value); };
   read("largest_stretch", statistics.largest_stretch);
   read("p99_stretch", statistics.p99_stretch);
   read("smallest_stretch", statistics.smallest_stretch);

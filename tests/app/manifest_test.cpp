@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "app/run.h"
 #include "app/run_program.h"
 #include "core/error.h"
@@ -53,6 +56,16 @@ TEST(Manifest, IsNothingWhereThereIsNoFileAndAnErrorWhereItIsDamaged) {
 TEST(Overrides, LaterOnesReplaceThoseOfTheSameKey) {
   const std::vector<std::string> merged = merge_overrides({"a.b=1", "c=2"}, {"a.b=3", "d=4"});
   EXPECT_EQ(merged, std::vector<std::string>({"c=2", "a.b=3", "d=4"}));
+}
+
+TEST(Manifest, KnowsFiguresThatAreNotFinite) {
+  Manifest manifest = sample_manifest();
+  manifest.frames[7].statistics.kinetic_energy = std::numeric_limits<double>::quiet_NaN();
+  manifest.frames[7].statistics.profile[Phase::narrow] = std::numeric_limits<double>::infinity();
+  FrameStatistics read = manifest_from_json(to_json(manifest)).frames.at(7).statistics;
+  EXPECT_TRUE(std::isnan(read.kinetic_energy));
+  EXPECT_FALSE(std::isfinite(read.profile[Phase::narrow]));
+  EXPECT_EQ(read.contacts, 42);
 }
 
 }  // namespace
