@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cstdint>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -62,7 +63,8 @@ std::vector<int> parse_frames(const std::string& text, int first, int last) {
     const auto range = parse_range(std::string_view(text).substr(begin, end - begin));
     if (!range) refuse(fmt::format("'{}' is no list of frames: write 1-100, 1-100x5 or 1,5,9-12", text));
     check_inside(*range, first, last);
-    for (int frame = range->first; frame <= range->last; frame += range->stride) frames.insert(frame);
+    for (std::int64_t frame = range->first; frame <= range->last; frame += range->stride)
+      frames.insert(static_cast<int>(frame));
     begin = end + 1;
   }
   return {frames.begin(), frames.end()};

@@ -61,5 +61,9 @@ TEST(Resolution, BecomesYaml) {
   }
 }
 
+TEST(FrameRange, TakesStridesPastTheLargestNumber) {
+  EXPECT_EQ(parse_frames("1-100x2147483647", 1, 100), Frames({1}));
+}
+
 }  // namespace
 }  // namespace drape::app
