@@ -15,6 +15,7 @@
 #include "core/error.h"
 
 namespace drape::app {
+namespace fs = std::filesystem;
 
 // Makes the film; its path.
 static std::string make_film(const std::string& input, const std::string& output, const Options& options,
@@ -27,9 +28,17 @@ static std::string make_film(const std::string& input, const std::string& output
   return run.folder.video().string();
 }
 
+// What tells a scene from the others of a batch: a folder's name as it is, a file's without its ending.
+static std::string name_in_batch(const std::string& input) {
+  fs::path path = fs::absolute(input).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();  // "out/film/"
+  std::error_code ignored;
+  return (fs::is_directory(path, ignored) ? path.filename() : path.stem()).string();
+}
+
 // In a batch, -o names the folder that the scenes' folders go into.
 static std::string output_in_batch(const std::string& input, const std::string& output) {
-  return output.empty() ? "" : (std::filesystem::path(output) / std::filesystem::path(input).stem()).string();
+  return output.empty() ? "" : (fs::path(output) / name_in_batch(input)).string();
 }
 
 static void check_batch(const Options& options) {
@@ -38,8 +47,7 @@ static void check_batch(const Options& options) {
     problems.push_back({"", 0, 0, "--stats takes one scene, not several"});
   std::set<std::string> names;
   for (const std::string& input : options.inputs) {
-    const std::string name = std::filesystem::path(input).stem().string();
-    if (!names.insert(name).second) {
+    if (!names.insert(name_in_batch(input)).second) {
       problems.push_back(
           {input, 0, 0, "another scene of this batch has the same name and would write to the same folder"});
     }

@@ -35,5 +35,17 @@ TEST(Batch, RefusesTwoScenesOfOneName) {
   EXPECT_EQ(run_drape({"run", scene, scene, "-o", (folder / "out").string()}).exit_status, 2);
 }
 
+TEST(Batch, TellsFoldersApartByTheirWholeNames) {
+  const TemporaryFolder folder;
+  const std::string scene = write_scene(folder, "scene", 1);
+  for (const char* name : {"film.1", "film.2"})
+    ASSERT_EQ(run_drape({"simulate", scene, "-o", (folder / name).string()}).exit_status, 0);
+  const Finished run = run_drape(
+      {"run", (folder / "film.1/").string(), (folder / "film.2/").string(), "-o", (folder / "out").string()});
+  EXPECT_EQ(run.exit_status, 0) << run.err;
+  EXPECT_TRUE(fs::exists(folder / "out/film.1/scene.mp4"));
+  EXPECT_TRUE(fs::exists(folder / "out/film.2/scene.mp4"));
+}
+
 }  // namespace
 }  // namespace drape::app
