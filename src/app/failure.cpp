@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <new>
 
 #include "app/exit_status.h"
@@ -38,6 +39,8 @@ Failure describe_current_exception() {
     return failure(stop);
   } catch (const FileError& error) {
     return failure(ExitStatus::file, error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    return failure(ExitStatus::file, error.path1().string() + ": " + error.code().message());
   } catch (const SimulationError& error) {
     return failure(ExitStatus::simulation, error.what());
   } catch (const EncoderError& error) {

@@ -147,8 +147,16 @@ struct Stored {
   std::string compressed;
 };
 
+bool is_there(const fs::path& path) {
+  std::error_code error;
+  const bool found = fs::exists(path, error);
+  if (error) throw FileError(path.string(), "cannot be read: " + error.message());
+  return found;
+}
+
 Stored read(const fs::path& path, Kind kind) {
-  if (!fs::is_regular_file(path)) throw FileError(path.string(), "is not a regular file");
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) throw FileError(path.string(), "is not a regular file");
   std::string bytes = read_file(path);
   Stored stored;
   if (bytes.size() < sizeof(Header)) fail_damaged(path, "it is too short");
@@ -200,7 +208,7 @@ void write_cached_frame(const fs::path& folder, std::uint64_t fingerprint, const
 
 CachedFrame read_cached_frame(const fs::path& folder, std::uint64_t fingerprint, int frame) {
   const fs::path path = cached_frame_path(folder, frame);
-  if (!fs::exists(path)) throw FileError(path.string(), "is missing; run 'drape simulate' first");
+  if (!is_there(path)) throw FileError(path.string(), "is missing; run 'drape simulate' first");
   const Stored stored = read(path, Kind::frame);
   check_origin(path, stored.header, fingerprint);
 
@@ -229,7 +237,7 @@ void write_checkpoint(const fs::path& folder, std::uint64_t fingerprint, const S
 
 std::optional<State> read_checkpoint(const fs::path& folder, std::uint64_t fingerprint) {
   const fs::path path = checkpoint_path(folder);
-  if (!fs::exists(path)) return std::nullopt;
+  if (!is_there(path)) return std::nullopt;
   const Stored stored = read(path, Kind::checkpoint);
   if (stored.header.version != format_version || stored.header.fingerprint != fingerprint)
     return std::nullopt;

@@ -61,5 +61,15 @@ TEST_F(ExitStatusOfProgram, InfoCountsWhatWillBeDone) {
   EXPECT_NE(info.out.find("11 a frame, 132 in all"), std::string::npos) << info.out;
 }
 
+TEST_F(ExitStatusOfProgram, IsThreeWhereAPathCannotBeFollowed) {
+  const std::string scene = write_scene(folder, "good", 2);
+  std::filesystem::create_symlink("loop", folder / "loop");
+  EXPECT_EQ(run_drape({"simulate", scene, "-o", (folder / "loop/out").string()}).exit_status, 3);
+  std::filesystem::create_directory(folder / "out");
+  std::filesystem::create_symlink("cache", folder / "out/cache");
+  for (const char* command : {"simulate", "render"})
+    EXPECT_EQ(run_drape({command, scene, "-o", (folder / "out").string()}).exit_status, 3) << command;
+}
+
 }  // namespace
 }  // namespace drape::app

@@ -116,6 +116,13 @@ TEST(CachedFrames, NotAFileOfTheCache) {
   EXPECT_EQ(failure(folder), (folder / "frame_0007.drape").string() + ": is not a regular file");
 }
 
+TEST(CachedFrames, InAFolderThatCannotBeFollowed) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("loop", folder / "loop");
+  EXPECT_THROW(read_cached_frame(folder / "loop", fingerprint, 7), FileError);
+  EXPECT_THROW(read_checkpoint(folder / "loop", fingerprint), FileError);
+}
+
 TEST(CachedFrames, ACheckpointIsNoFrame) {
   const TemporaryFolder folder;
   write_checkpoint(folder.path(), fingerprint, a_state());
