@@ -19,6 +19,15 @@ namespace fs = std::filesystem;
 
 static int frame_count(const Run& run) { return run.scene.time.last_frame - run.scene.time.first_frame + 1; }
 
+// Pictures without a record, such as parts drawn on several machines, are taken as they are.
+static void check_origin(const Run& run) {
+  const auto record = read_manifest(run.folder.manifest());
+  if (!record || record->fingerprint == run.manifest.fingerprint) return;
+  throw FileError(run.folder.frames().string(),
+                  fmt::format("its pictures are of other settings than the scene has now: run `drape run {}`",
+                              run.input));
+}
+
 // The bytes of a PNG file that hold its width and height.
 static std::string size_bytes(const fs::path& picture) {
   std::array<char, 24> head{};
@@ -160,6 +169,7 @@ static double run_encoder(const Run& run, const Console& console) {
 }
 
 void encode(Run& run, const Console& console) {
+  check_origin(run);
   check_pictures(run);
   StageTiming timing;
   {
@@ -167,7 +177,7 @@ void encode(Run& run, const Console& console) {
     timing.cpu_seconds = run_encoder(run, console);
   }
   run.manifest.stages["encode"] = timing;
-  write_manifest(run.folder.manifest(), run.manifest);
+  update_record(run);
 }
 
 }  // namespace drape::app

@@ -10,8 +10,8 @@
 namespace drape::app {
 
 // Makes the video of all frames of the scene by ffmpeg. Throws FileError where a picture is missing or of
-// another size than the rest, EncoderError where ffmpeg is missing, fails, or drops frames; the pictures
-// stay.
+// another size than the rest, or the record is of other settings, EncoderError where ffmpeg is missing,
+// fails, or drops frames; the pictures stay.
 void encode(Run& run, const Console& console);
 
 // The words of the ffmpeg call that writes the video to `target`.

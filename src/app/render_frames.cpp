@@ -119,7 +119,7 @@ static void record_pictures(Run& run, const Job& job) {
     const auto record = run.manifest.frames.find(frame);
     if (record != run.manifest.frames.end()) record->second.picture_hash = hash;
   }
-  write_manifest(run.folder.manifest(), run.manifest);
+  update_record(run);
 }
 
 void render_frames(Run& run, const std::vector<int>& frames, const Options& options, const Console& console) {
@@ -131,6 +131,7 @@ void render_frames(Run& run, const std::vector<int>& frames, const Options& opti
     const StageTimer timer(timing);
     run_workers(job, std::min(thread_count(options), static_cast<int>(frames.size())));
   }
+  if (job.failure && job.drawn == 0) std::rethrow_exception(job.failure);
   if (job.drawn > 0) run.manifest.stages["render"] = timing;
   record_pictures(run, job);
   detail(console, fmt::format("render    {} drawn, {} kept", job.drawn, job.finished - job.drawn));

@@ -84,6 +84,12 @@ Run open_run(const std::string& input, const std::vector<std::string>& overrides
   return run;
 }
 
+void update_record(const Run& run) {
+  const auto on_disk = read_manifest(run.folder.manifest());
+  if (on_disk && on_disk->fingerprint == run.manifest.fingerprint)
+    write_manifest(run.folder.manifest(), run.manifest);
+}
+
 std::vector<int> chosen_frames(const Run& run, const Options& options) {
   const TimeSettings& time = run.scene.time;
   const auto frames = options.frames.empty()

@@ -93,5 +93,15 @@ TEST_F(Encode, TakesNamesThatFfmpegWouldMisread) {
   EXPECT_EQ(run_drape({"encode", scene, "-o", odd.string()}).exit_status, 0);
 }
 
+TEST_F(Encode, RefusesPicturesOfOtherSettings) {
+  ASSERT_EQ(run_drape({"simulate", scene, "-o", (folder / "out").string()}).exit_status, 0);
+  write_pictures(5, 64, 36);
+  write_file(scene, read_file(scene) + "simulation: {gravity: [0, -5, 0]}\n");
+  const Finished finished = encode();
+  EXPECT_EQ(finished.exit_status, 3);
+  EXPECT_NE(finished.err.find("of other settings than the scene has now"), std::string::npos) << finished.err;
+  EXPECT_FALSE(fs::exists(folder / "out/scene.mp4"));
+}
+
 }  // namespace
 }  // namespace drape::app

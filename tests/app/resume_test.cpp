@@ -87,5 +87,24 @@ TEST_F(Resume, StartsAnewAfterAnotherBuildUnlessToldOtherwise) {
   EXPECT_NE(simulate("out", 6).err.find("another build"), std::string::npos);
 }
 
+TEST_F(Resume, AMistakenRenderOrEncodeCostsNothing) {
+  simulate("out", 5);
+  const std::string before = read_file(folder / "out/run.json");
+  for (const char* command : {"render", "encode"}) {
+    EXPECT_EQ(run_drape({command, (folder / "out").string(), "-D", "time.step=1 ms"}).exit_status, 3);
+    EXPECT_EQ(read_file(folder / "out/run.json"), before) << command;
+  }
+  EXPECT_NE(simulate("out", 5).err.find("every frame is in the cache already"), std::string::npos);
+}
+
+TEST_F(Resume, ARenderThatDrawsNothingLeavesTheRecord) {
+  simulate("out", 5);
+  const std::string before = read_file(folder / "out/run.json");
+  fs::remove(cached_frame_path(folder / "out/cache", 1));
+  const std::string out = (folder / "out").string();
+  EXPECT_EQ(run_drape({"render", out, "-f", "1", "-D", "render.exposure=0.5"}).exit_status, 3);
+  EXPECT_EQ(read_file(folder / "out/run.json"), before);
+}
+
 }  // namespace
 }  // namespace drape::app
