@@ -57,13 +57,33 @@ static std::optional<State> state_to_resume(const Run& run, const Options& optio
   return std::nullopt;
 }
 
+static bool is_cache_file(const fs::path& path) {
+  std::string name = path.filename().string();
+  name = name.substr(0, name.find(".part"));  // what a crash left half-written
+  return name == "checkpoint.drape" || (name.starts_with("frame_") && name.ends_with(".drape"));
+}
+
+// Only what Drape itself writes there: -o may name a folder with a cache of something else.
+static std::vector<fs::path> cache_files(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (is_cache_file(entry.path())) files.push_back(entry.path());
+  }
+  if (error && error != std::errc::no_such_file_or_directory)
+    throw FileError(folder.string(), "cannot be read: " + error.message());
+  return files;
+}
+
 // Old frames go before new ones come, so that a stop in between cannot leave a mixture.
 static void forget_earlier_work(Run& run) {
   run.manifest.frames.clear();
   run.manifest.stages.clear();
-  std::error_code error;
-  fs::remove_all(run.folder.cache(), error);
-  if (error) throw FileError(run.folder.cache().string(), "cannot be removed: " + error.message());
+  for (const fs::path& file : cache_files(run.folder.cache())) {
+    std::error_code error;
+    fs::remove(file, error);
+    if (error) throw FileError(file.string(), "cannot be removed: " + error.message());
+  }
 }
 
 static CachedFrame to_cached_frame(const State& state) {

@@ -106,5 +106,19 @@ TEST_F(Resume, ARenderThatDrawsNothingLeavesTheRecord) {
   EXPECT_EQ(read_file(folder / "out/run.json"), before);
 }
 
+TEST_F(Resume, StartingAnewLeavesTheFilesOfOthers) {
+  simulate("out", 5);
+  write_file(folder / "out/cache/notes.txt", "mine");
+  write_file(folder / "out/cache/more/frame_0001.drape", "mine");
+  write_file(folder / "out/cache/frame_0002.drape.part77", "what a crash left");
+  const Finished anew =
+      run_drape({"simulate", scene, "-o", (folder / "out").string(), "-D", "time.frames=1-2", "--overwrite"});
+  EXPECT_EQ(anew.exit_status, 0) << anew.err;
+  EXPECT_TRUE(fs::exists(folder / "out/cache/notes.txt"));
+  EXPECT_TRUE(fs::exists(folder / "out/cache/more/frame_0001.drape"));
+  EXPECT_FALSE(fs::exists(cached_frame_path(folder / "out/cache", 5)));
+  EXPECT_TRUE(unfinished_files(folder / "out").empty());
+}
+
 }  // namespace
 }  // namespace drape::app
