@@ -134,7 +134,7 @@ static FrameStatistics advance(Simulation& simulation, const Run& run) {
     return simulation.advance_frame();
   } catch (const SimulationError& failure) {
     write_manifest(run.folder.manifest(), run.manifest);
-    throw SimulationError(fmt::format("frame {}: {}", simulation.state().frame, failure.what()));
+    throw SimulationError(fmt::format("frame {}: {}", simulation.state().frame + 1, failure.what()));
   }
 }
 
@@ -142,7 +142,6 @@ static void advance_to_last_frame(Simulation& simulation, Run& run, const Consol
   const int last = run.scene.time.last_frame;
   Progress progress(console, "simulate", last, simulation.state().frame);
   Keeper keeper(run);
-  if (simulation.state().frame == 0) keeper.keep(simulation.state(), FrameStatistics{});
   while (simulation.state().frame < last && stop_signal() == 0) {
     const FrameStatistics statistics = advance(simulation, run);
     keeper.keep(simulation.state(), statistics);

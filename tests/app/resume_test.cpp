@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <limits>
 
 #include "app/manifest.h"
 #include "app/run_program.h"
@@ -118,6 +119,17 @@ TEST_F(Resume, StartingAnewLeavesTheFilesOfOthers) {
   EXPECT_TRUE(fs::exists(folder / "out/cache/more/frame_0001.drape"));
   EXPECT_FALSE(fs::exists(cached_frame_path(folder / "out/cache", 5)));
   EXPECT_TRUE(unfinished_files(folder / "out").empty());
+}
+
+TEST_F(Resume, AFailureNamesTheFrameThatFailed) {
+  simulate("out", 5);
+  const std::uint64_t fingerprint = manifest("out").fingerprint;
+  State state = *read_checkpoint(folder / "out/cache", fingerprint);
+  state.velocities.front().x() = std::numeric_limits<double>::quiet_NaN();
+  write_checkpoint(folder / "out/cache", fingerprint, state);
+  const Finished failed = simulate("out", 6);
+  EXPECT_EQ(failed.exit_status, 4);
+  EXPECT_NE(failed.err.find("frame 6:"), std::string::npos) << failed.err;
 }
 
 }  // namespace
