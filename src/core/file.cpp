@@ -47,7 +47,17 @@ static void make_folder(const fs::path& folder) {
   throw FileError(path.string(), std::string("cannot be written: ") + std::strerror(reason));
 }
 
+// Renaming over a device or a pipe would put a file in its place.
+static void refuse_special_file(const fs::path& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::is_directory(status)) throw FileError(path.string(), "is a folder, not a file");
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw FileError(path.string(), "is a device or a pipe, and would be replaced: name a file");
+}
+
 void write_file(const fs::path& path, std::string_view content) {
+  refuse_special_file(path);
   make_folder(path.parent_path());
   const fs::path aside = path.string() + ".part" + std::to_string(::getpid());
   const int file = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);

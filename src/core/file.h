@@ -11,8 +11,8 @@ namespace drape {
 std::string read_file(const std::filesystem::path& path);
 
 // Writes aside and renames: after this call, and after any crash in it, the file is whole or as it was
-// before. Makes the folders that are missing. Throws FileError (which names the path and, for example, "No
-// space left").
+// before. Makes the folders that are missing; refuses to replace a device or a pipe. Throws FileError (which
+// names the path and, for example, "No space left").
 void write_file(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace drape

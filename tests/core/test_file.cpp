@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <csignal>
 
@@ -61,7 +62,7 @@ TEST(File, AFolderIsNotReplaced) {
   const TemporaryFolder folder;
   fs::create_directories(folder / "a/b");
   EXPECT_EQ(failure([&] { write_file(folder / "a", "new"); }),
-            (folder / "a").string() + ": cannot be written: Is a directory");
+            (folder / "a").string() + ": is a folder, not a file");
   EXPECT_EQ(entries(folder.path()), 1u);
 }
 
@@ -82,6 +83,15 @@ class FileSizeLimit {
   rlimit before_{};
   void (*handler_)(int);
 };
+
+TEST(File, APipeIsNotReplaced) {
+  const TemporaryFolder folder;
+  const fs::path pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(failure([&] { write_file(pipe, "new"); }),
+            pipe.string() + ": is a device or a pipe, and would be replaced: name a file");
+  EXPECT_TRUE(fs::is_fifo(pipe));
+}
 
 TEST(File, AFailedWriteLeavesTheOldFile) {
   const TemporaryFolder folder;
