@@ -187,6 +187,22 @@ TEST(FailSafe, AColliderTakesTheRoomFirst) {
   expect_gaps(scene);
 }
 
+// They do not move towards each other, until the plane holds up the lower one.
+TEST(FailSafe, LayersOfAClothThatFallTogetherStayApartWhereTheLowerOneIsHeld) {
+  Scene scene;
+  TriangleMesh layers = test::shifted(make_grid({0.3, 0.3}, {4, 4}), {0, 0.1, 0});
+  const TriangleMesh upper = test::shifted(make_grid({0.33, 0.33}, {4, 4}), {0.01, 0.15, 0});
+  layers.positions.insert(layers.positions.end(), upper.positions.begin(), upper.positions.end());
+  for (const auto& [a, b, c] : upper.triangles) layers.triangles.push_back({a + 16, b + 16, c + 16});
+  scene.add_cloth(layers, thickness);
+  scene.add_plane();
+  for (Vec3& x : scene.end) x.y() -= 1;
+  hold(scene);
+  expect_gaps(scene);
+  EXPECT_EQ(piercings(scene, scene.end), 0);
+  for (int v = 16; v < 32; ++v) EXPECT_GT(scene.end[v].y(), least_gap);
+}
+
 TEST(FailSafe, TheSameBitsWithAnyNumberOfThreads) {
   std::vector<std::vector<Vec3>> results;
   for (const int threads : {1, 2, 4}) {
@@ -252,6 +268,20 @@ TEST(FailSafePlane, PinnedVerticesDoNotHoldItUp) {
   scene.geometry.inverse_masses[0] = 0;
   scene.bodies[1].end.translation.y() = 1;
   EXPECT_EQ(hold(scene).body_progress[1], 1);
+}
+
+// It sinks at one side and rises at the other, where it meets a vertex that does not give way.
+TEST(FailSafePlane, APlaneThatIsHeldUpAsItTiltsHoldsUpWhatSinksWithIt) {
+  Scene scene = over_plane({0.02, 0.02, 0.02});
+  for (int v = 0; v < 3; ++v) scene.end[v].x() = scene.start[v].x() -= 1;  // at -1, 0 and 1
+  const auto tilt = [](double angle) {
+    return Mat3(Eigen::AngleAxisd(angle, Vec3(0, 0, 1)).toRotationMatrix());
+  };
+  scene.bodies[1].end.rotation = tilt(0.04);
+  scene.end[0].y() = -0.039;
+  const double share = hold(scene).body_progress[1];
+  EXPECT_LT(share, 0.6);
+  for (const Vec3& x : scene.end) EXPECT_GT(tilt(0.04 * share).col(1).dot(x), 0);
 }
 
 }  // namespace

@@ -76,6 +76,21 @@ TEST(Intersections, SignsAreExactForFloatsFarOut) {
   }
 }
 
+// Whole numbers of 22 bits: their determinants have more bits than a double.
+TEST(Intersections, APointExactlyInATrianglesPlaneTouchesIt) {
+  Random random(2);
+  const auto whole = [&] { return Vec3(4 * random.vector(1 << 20).array().round()); };
+  for (int trial = 0; trial < 500; ++trial) {
+    const Vec3 a = whole(), u = whole() - a, v = whole() - a;
+    const Vec3 touching = a + (u + v) / 4, above = touching + u.cross(v).normalized() * (1 << 20);
+    std::vector<Vec3f> x;
+    for (const Vec3& point : {a, Vec3(a + u), Vec3(a + v), touching, above, Vec3(above + u / 2)})
+      x.push_back(point.cast<float>());
+    ASSERT_EQ(Vec3(x[3].cast<double>()), touching);
+    EXPECT_EQ(of_two(x).size(), 1u) << "trial " << trial;
+  }
+}
+
 TEST(Intersections, OneCommonVertexIsNoneAndMeetingBeyondItIsOne) {
   EXPECT_TRUE(of_two({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0.5f}, {0, -1, 0.5f}}).empty());
   EXPECT_EQ(of_two({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.5f, 0.5f, 0.5f}, {0.2f, 0.2f, -0.5f}}).size(), 1u);

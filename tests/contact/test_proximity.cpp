@@ -87,7 +87,7 @@ TEST(Proximity, AllPairsThatComeNearInAStepAreListed) {
   for (unsigned seed = 1; seed <= 4; ++seed)
     for (const double way : {0.005, 0.05, 0.4}) {
       const Scene scene = crumpled(seed, way);
-      for (const ProximityList& list : scene.lists()) near += expect_all_near_pairs(scene, list);
+      for (const ProximityList& list : scene.lists(0, cell_size)) near += expect_all_near_pairs(scene, list);
     }
   EXPECT_GT(near, 1000);
 }
@@ -182,6 +182,17 @@ TEST(Proximity, AListIsBuiltAnewWhereOneVertexLeavesItsBox) {
   EXPECT_FALSE(covers(scene, list));
   EXPECT_TRUE(update(scene, list));
   EXPECT_TRUE(covers(scene, list));
+}
+
+// The fail-safe may hold back a vertex while the others move on.
+TEST(Proximity, AListIsBuiltAnewWhereAVertexThatStaysBehindWouldLeaveItsBox) {
+  Scene scene;
+  scene.add_cloth(small_cloth(), 0.02);
+  ProximityList list = scene.lists(pad, cell_size)[1];
+  for (Vec3& x : scene.end) x.y() -= 0.9 * pad;
+  EXPECT_FALSE(update(scene, list));
+  for (Vec3& x : scene.end) x.y() -= 0.2 * pad;
+  EXPECT_TRUE(update(scene, list));
 }
 
 TEST(Proximity, TheWholeOfAFastStepIsInTheBoxes) {

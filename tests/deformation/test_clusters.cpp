@@ -71,7 +71,8 @@ std::vector<TriangleMesh> many_meshes() {
           test::tetrahedron(),
           test::fan(5),
           make_box({1, 1, 1}),
-          make_grid({1, 1}, {2, 2})};
+          make_grid({1, 1}, {2, 2}),
+          make_grid({1, 0.05}, {5, 5})};
 }
 
 TEST(Clusters, EveryPointIsInAtLeastOneOnEveryMesh) {
