@@ -3,41 +3,48 @@
 #include <array>
 #include <vector>
 
-#include "deformation/coloring.h"
 #include "deformation/sheet.h"
+#include "deformation/sweep_order.h"
 
 namespace drape {
 
-// Bending as linear matching (MHTG05, 4.2) of the four points of two neighbour triangles. Four points whose
-// rest shape is flat fit an affine image of it but for one residual vector,
-//   r = sum c_i x_i   with   sum c_i = 0,  sum c_i p_i = 0   (p_i the unfolded rest points),
-// which no stretch, shear or rigid motion changes, and which grows with the first power of the dihedral
-// angle: |r| is the edge's length times 2 sin(theta / 2). The potential 1/2 k (|r| - r0)2 with k = 3 B / (A1
-// + A2) is the quadratic bending energy of flexural rigidity B (Bergou et al. 2006, A Quadratic Bending Model
-// for Inextensible Surfaces). Pulling along c_i keeps linear and angular momentum exactly, since c is
-// orthogonal to affine images.
-struct Hinge {
-  std::array<int, 4> vertices;    // the edge's two, then the two across
-  std::array<double, 4> weights;  // c_i
-  double rest_residual;           // r0: 0 where the rest shape is flat
-  double stiffness;               // k in N/m
-  double damping;                 // 1/s
+// Outer-corner clusters (section 4.1, Fig. 2): the corners across a triangle's three edges, and its own three.
+// Six points fix one quadratic surface, whose curvature is what bends: with p_i the rest points in the triangle's
+// plane, three combinations
+//   r_j = sum_i q_ji x_i   with   sum_i q_ji = 0,  sum_i q_ji p_i = 0
+// are what no affine map of the rest shape explains (the residual of the linear matching of MHTG05, 4.2), and so no
+// stretch, shear or rigid motion changes them; they grow with the first power of a fold's angle. The potential is
+// 1/2 A k^T D k, with k = G^-1 r the second derivatives of that surface: exact for every cylinder and every mesh,
+// unlike energies of single edges, which weigh a fold by how the mesh is cut. Where corners are missing (a boundary,
+// or two that coincide), fewer combinations are left, and the curvature that they leave open is free of moments:
+// the natural boundary condition. A curved rest shape has r_j = rho_j n along the normal that fits best.
+struct BendingStage {
+  SweepOrder order;
+  std::vector<IndexRow> corners;   // 6 a row: own, then outer
+  std::vector<LaneRow> weights;    // 18 a row: q'_j of point i at 6 j + i. K = L L^T is the implicit step, q' = L^T q
+  std::vector<LaneRow> rest;       // 3 a row: rho'_j, where `curved`
+  bool curved = false;
 };
+// Rows where a step starts: the residuals; where curved, then the triangle's edges too.
+inline std::size_t bending_base_rows(const BendingStage& stage) { return stage.curved ? 15 : 9; }
 
-struct HingeStage {
-  std::vector<Hinge> hinges;  // colour by colour
-  std::vector<std::size_t> color_begin;
+// Own and outer corners of a triangle: -1 for those that are missing, coincide, or lie so that the others say more.
+std::array<int, 6> bending_corners(const Sheet& sheet, int triangle);
+
+// `duration_squared` in s2 as in MembraneTerms: h2 for a pull, damping times h for damping.
+struct BendingTerms {
+  std::vector<double> durations_squared;  // of each material, s2
+  bool rest_curvature = true;             // false: rates have none
 };
+BendingStage build_bending(const Sheet& sheet, const std::vector<int>& patches,
+                           const std::vector<double>& inverse_masses, const BendingTerms& terms);
 
-HingeStage build_hinges(const Sheet& sheet);
+void load_bending(const BendingStage& stage, const std::vector<Vec3>& start, std::vector<LaneRow>& base);
 
-// One Gauss-Seidel sweep of implicit steps. Points of inverse mass 0 stay.
-void pull_hinges(const HingeStage& stage, const std::vector<double>& inverse_masses, double step,
-                 std::vector<Vec3>& x);
+// One Gauss-Seidel sweep of implicit steps, as pull_membrane. Keeps both momenta.
+void pull_bending(const BendingStage& stage, const std::vector<LaneRow>& base, std::vector<Point4>& offsets);
 
-// Takes away the share d h / (1 + d h), d the damping, of each hinge's rate of bending; keeps both momenta,
-// and every velocity of rigid or in-plane motion.
-void damp_bending(const HingeStage& stage, const std::vector<double>& inverse_masses, double step,
-                  std::vector<Vec3>& velocities);
+// The same for velocities: takes away what rates of bending lose by viscosity.
+void damp_bending(const BendingStage& stage, std::vector<Point4>& velocities);
 
 }  // namespace drape

@@ -1,83 +1,187 @@
 #include "deformation/elastic_model.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "deformation/membrane_material.h"
+
 namespace drape {
+namespace {
 
-// The clusters' stiffness s in 1/s2, for which a uniform dilation by strain e stores the energy of a
-// membrane, k e2 per area: a point at q moves by e q, so 1/2 s sum m |e q|2 = k e2 A, with A the rest area
-// that the cluster stands for.
-static double membrane_stiffness(const Sheet& sheet, const std::array<int, 3>& cluster,
-                                 const std::vector<double>& masses, double stretch_stiffness, double area) {
-  double total = 0;
-  Vec3 centre = Vec3::Zero();
-  for (const int v : cluster) {
-    total += masses[v];
-    centre += masses[v] * sheet.rest_positions[v];
-  }
-  centre /= total;
-  double inertia = 0;
-  for (const int v : cluster) inertia += masses[v] * (sheet.rest_positions[v] - centre).squaredNorm();
-  return 2 * stretch_stiffness * area / inertia;
+// The membrane of each triangle, less what its edges carry as bars; and these, in N/m of each edge.
+struct Membrane {
+  std::vector<Mat3> whole, left;
+  std::vector<double> bars;
+};
+
+// A bar of stiffness b per area over a triangle of area A is a spring of b A / l2 on the edge.
+void split_triangle(const Sheet& sheet, int t, const RestFrame& frame, Membrane& membrane) {
+  const std::array<Vec2, 3> edges = {frame.edge1, frame.edge2 - frame.edge1, frame.edge2};
+  const Mat3 tensor = membrane_tensor(material_of(sheet, t), frame.warp);
+  const BarSplit split =
+      split_into_bars(tensor, {edges[0].normalized(), edges[1].normalized(), edges[2].normalized()});
+  for (std::size_t k = 0; k < 3; ++k)
+    membrane.bars[sheet.topology.triangle_edges[t][k]] += split.bars[k] * frame.area / edges[k].squaredNorm();
+  membrane.whole.push_back(tensor);
+  membrane.left.push_back(split.rest);
 }
 
-static ClusterStage build_own_triangles(const Sheet& sheet, const std::vector<double>& masses,
-                                        const std::vector<double>& weights, double step) {
-  std::vector<double> stiffness;
+Membrane split_membrane(const Sheet& sheet, const std::vector<double>& weights) {
+  Membrane membrane;
+  membrane.bars.resize(sheet.topology.edges.size(), 0.0);
   for (int t = 0; t < static_cast<int>(sheet.triangles.size()); ++t)
-    stiffness.push_back(membrane_stiffness(sheet, sheet.triangles[t], masses,
-                                           sheet.materials[sheet.triangle_materials[t]].stretch_stiffness,
-                                           rest_area(sheet, t)));
-  return build_cluster_stage(sheet, own_triangles(sheet), stiffness, weights, step);
+    split_triangle(sheet, t, rest_frame(sheet, t, weights), membrane);
+  return membrane;
 }
 
-// An arc of curvature k shortens its chord L by the share (k L)2 / 24. The outer corners resist that
-// shortening as a membrane whose energy, at the curvature of a fold of radius L / 2, is that of bending: S
-// (1/6)2 = B (2/L)2.
-static double outer_corner_membrane(double bend_stiffness, double side) {
-  return 144 * bend_stiffness / (side * side);
+// Kelvin-Voigt: a stress of `damping` times stiffness times the rate, over one step.
+std::vector<double> damping_times_step(const Sheet& sheet, double step) {
+  std::vector<double> result;
+  for (const ElasticMaterial& material : sheet.materials) result.push_back(material.damping * step);
+  return result;
 }
 
-static ClusterStage build_outer_corners(const Sheet& sheet, const std::vector<double>& masses,
-                                        const std::vector<double>& weights, double step) {
-  std::vector<int> materials;
-  const auto clusters = outer_corners(sheet, materials);
-  std::vector<double> stiffness;
-  for (std::size_t i = 0; i < clusters.size(); ++i) {
-    const auto& [a, b, c] = clusters[i];
-    const std::vector<Vec3>& x = sheet.rest_positions;
-    const double area = 0.5 * (x[b] - x[a]).cross(x[c] - x[a]).norm();
-    const double membrane =
-        outer_corner_membrane(sheet.materials[materials[i]].bend_stiffness, std::sqrt(2 * area));
-    // A cluster of outer corners spans four triangles, and overlaps its neighbours as often.
-    stiffness.push_back(membrane_stiffness(sheet, clusters[i], masses, membrane, area / 4));
+std::vector<Mat3> damped_tensors(const Sheet& sheet, const std::vector<Mat3>& whole) {
+  std::vector<Mat3> tensors = whole;
+  for (int t = 0; t < static_cast<int>(tensors.size()); ++t) tensors[t] *= material_of(sheet, t).damping;
+  return tensors;
+}
+
+// A patch of points of which the elements' constants about fill a core's second cache.
+constexpr std::size_t largest_patch = 1300;
+
+}  // namespace
+
+int elastic_substeps(const Sheet& sheet, double step) {
+  constexpr double edges_crossed = 6;
+  double largest_substep = step;
+  for (const Edge& edge : sheet.topology.edges) {
+    const ElasticMaterial& material = material_of(sheet, edge.triangles[0]);
+    const double stiffness = std::max(material.stretch_stiffness[0], material.stretch_stiffness[1]);
+    const double wave_speed = std::sqrt(stiffness / material.density);
+    largest_substep = std::min(largest_substep, edges_crossed * rest_length(sheet, edge) / wave_speed);
   }
-  return build_cluster_stage(sheet, clusters, stiffness, weights, step);
+  return static_cast<int>(std::ceil(step / largest_substep - 1e-9));
 }
 
 ElasticModel build_elastic_model(const Sheet& sheet, const std::vector<double>& masses,
-                                 const std::vector<char>& pinned, double step) {
+                                 const std::vector<char>& pinned, double step, int substeps) {
   std::vector<double> weights = masses, inverse_masses(masses.size());
   for (std::size_t v = 0; v < masses.size(); ++v) {
     if (pinned[v]) weights[v] *= 1e4;
     inverse_masses[v] = pinned[v] ? 0 : 1 / masses[v];
   }
-  return {build_hinges(sheet),
-          build_outer_corners(sheet, masses, weights, step),
-          build_own_triangles(sheet, masses, weights, step),
-          build_fibres(sheet, step),
-          std::move(inverse_masses),
-          step};
+  const double substep = step / substeps;
+  const std::vector<int> patches = vertex_patches(sheet.rest_positions, largest_patch);
+  const Membrane membrane = split_membrane(sheet, weights);
+  ElasticModel model;
+  model.step = step;
+  model.substeps = substeps;
+  const std::vector<double> pull_durations(sheet.materials.size(), substep * substep);
+  model.bending = build_bending(sheet, patches, inverse_masses, {pull_durations, true});
+  model.bending_damping =
+      build_bending(sheet, patches, inverse_masses, {damping_times_step(sheet, step), false});
+  model.membrane = build_membrane(sheet, patches, weights, inverse_masses, {membrane.left, substep * substep});
+  model.membrane_damping =
+      build_membrane(sheet, patches, weights, inverse_masses, {damped_tensors(sheet, membrane.whole), step});
+  model.fibres = build_fibres(sheet, membrane.bars, substep);
+  for (const double inverse_mass : inverse_masses)
+    model.inverse_masses.push_back({0, 0, 0, static_cast<float>(inverse_mass)});
+  const int fillers = *std::max_element(patches.begin(), patches.end()) + 1;
+  model.inverse_masses.resize(masses.size() + static_cast<std::size_t>(fillers), Point4{});
+  return model;
 }
 
-void pull_to_goals(const ElasticModel& model, FibreScratch& scratch, std::vector<Vec3>& x) {
-  constexpr int stiff_passes = 2;
-  pull_hinges(model.hinges, model.inverse_masses, model.step, x);
-  pull_clusters(model.outer_corners, model.inverse_masses, x);
-  for (int pass = 0; pass < stiff_passes; ++pass) {
-    pull_fibres(model.fibres, model.inverse_masses, scratch, x);
-    pull_clusters(model.own_triangles, model.inverse_masses, x);
+void load_elastic(const ElasticModel& model, const std::vector<Vec3>& start, ElasticScratch& scratch) {
+  scratch.offsets = model.inverse_masses;
+  load_bending(model.bending, start, scratch.bending_base);
+  load_membrane(model.membrane, start, scratch.membrane_base);
+  load_fibres(model.fibres, start, scratch.fibres);
+}
+
+namespace {
+
+constexpr std::size_t points_a_block = 4096;
+
+void load_vectors(const ElasticModel& model, const std::vector<Vec3>& vectors, std::vector<Point4>& points) {
+  points = model.inverse_masses;
+  for (std::size_t v = 0; v < vectors.size(); ++v)
+    points[v] = {static_cast<float>(vectors[v].x()), static_cast<float>(vectors[v].y()),
+                 static_cast<float>(vectors[v].z()), points[v].w};
+}
+
+// Velocities after viscosity, once a step. Membrane frames are those where the step starts.
+void damp(const ElasticModel& model, ElasticScratch& scratch) {
+  damp_bending(model.bending_damping, scratch.velocities);
+  damp_membrane(model.membrane_damping, scratch.membrane_base, scratch.velocities);
+}
+
+// Pinned points take equal parts of their way.
+void move_pinned(const ElasticModel& model, const std::vector<Vec3>& start, const std::vector<Vec3>& positions,
+                 double share, ElasticScratch& scratch) {
+  for (std::size_t v = 0; v < start.size(); ++v) {
+    if (model.inverse_masses[v].w > 0) continue;
+    const Vec3 way = share * (positions[v] - start[v]);
+    scratch.offsets[v] = {static_cast<float>(way.x()), static_cast<float>(way.y()), static_cast<float>(way.z()), 0};
   }
+}
+
+Vec3 as_vec3(const Point4& point) { return Vec3(point.x, point.y, point.z); }
+
+void unload(const ElasticModel& model, const std::vector<Vec3>& start, const ElasticScratch& scratch,
+            std::vector<Vec3>& positions, std::vector<Vec3>& velocities) {
+  for (std::size_t v = 0; v < start.size(); ++v) {
+    if (model.inverse_masses[v].w > 0) {
+      positions[v] = start[v] + as_vec3(scratch.offsets[v]);
+      velocities[v] = as_vec3(scratch.velocities[v]);
+    } else {
+      velocities[v] = (positions[v] - start[v]) / model.step;
+    }
+  }
+}
+
+}  // namespace
+
+void predict_offsets(const ElasticModel& model, ElasticScratch& scratch) {
+  const auto step = static_cast<float>(model.step / model.substeps);
+  scratch.before.resize(scratch.offsets.size());
+  parallel_for_each(scratch.offsets.size(), points_a_block, [&](std::size_t v) {
+    Point4 &x = scratch.offsets[v], &u = scratch.velocities[v];
+    const Point4& a = scratch.accelerations[v];
+    scratch.before[v] = x;
+    u = {u.x + step * a.x, u.y + step * a.y, u.z + step * a.z, u.w};
+    x = {x.x + step * u.x, x.y + step * u.y, x.z + step * u.z, x.w};
+  });
+}
+
+void pull_to_goals(const ElasticModel& model, ElasticScratch& scratch) {
+  pull_bending(model.bending, scratch.bending_base, scratch.offsets);
+  pull_fibres(model.fibres, scratch.fibres, scratch.offsets);
+  pull_membrane(model.membrane, scratch.membrane_base, scratch.offsets);
+}
+
+void update_velocities(const ElasticModel& model, ElasticScratch& scratch) {
+  const auto rate = static_cast<float>(model.substeps / model.step);
+  parallel_for_each(scratch.offsets.size(), points_a_block, [&](std::size_t v) {
+    const Point4 &x = scratch.offsets[v], &b = scratch.before[v];
+    Point4& u = scratch.velocities[v];
+    u = {rate * (x.x - b.x), rate * (x.y - b.y), rate * (x.z - b.z), u.w};
+  });
+}
+
+void advance_elastic(const ElasticModel& model, const std::vector<Vec3>& accelerations, const std::vector<Vec3>& start,
+                     ElasticScratch& scratch, std::vector<Vec3>& positions, std::vector<Vec3>& velocities) {
+  load_elastic(model, start, scratch);
+  load_vectors(model, velocities, scratch.velocities);
+  load_vectors(model, accelerations, scratch.accelerations);
+  damp(model, scratch);
+  for (int substep = 1; substep <= model.substeps; ++substep) {
+    predict_offsets(model, scratch);
+    move_pinned(model, start, positions, static_cast<double>(substep) / model.substeps, scratch);
+    pull_to_goals(model, scratch);
+    update_velocities(model, scratch);
+  }
+  unload(model, start, scratch, positions, velocities);
 }
 
 }  // namespace drape

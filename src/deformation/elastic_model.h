@@ -3,28 +3,51 @@
 #include <vector>
 
 #include "deformation/bending.h"
-#include "deformation/clusters.h"
 #include "deformation/fibres.h"
+#include "deformation/membrane.h"
 #include "deformation/sheet.h"
 
 namespace drape {
 
 // The default deformation model, built for one step length and one set of pinned points.
 struct ElasticModel {
-  HingeStage hinges;
-  ClusterStage outer_corners;
-  ClusterStage own_triangles;
+  BendingStage bending;
+  MembraneStage membrane;
   FibreStage fibres;
-  std::vector<double> inverse_masses;  // 1/kg; 0 where pinned
-  double step;                         // seconds
+  BendingStage bending_damping;
+  MembraneStage membrane_damping;
+  std::vector<Point4> inverse_masses;  // w: 1/kg, 0 where pinned; x, y, z are 0. Fillers follow the vertices
+  double step = 0;                     // seconds: what a simulation calls a step
+  int substeps = 1;                    // equal parts of it in which the elastic pulls are made
 };
 
-// Pinned points weigh 1e4 times their mass in clusters, so that clusters turn about them.
-ElasticModel build_elastic_model(const Sheet& sheet, const std::vector<double>& masses,
-                                 const std::vector<char>& pinned, double step);
+// The substeps that the materials want. A stretch wave may cross so many edges in one: the pulls of one sweep reach
+// far along fibres, but what they leave undone grows with the square of the substep.
+int elastic_substeps(const Sheet& sheet, double step);
 
-// x* -> x**: the weak and wide stages first, so that the stiff ones have the last word. Of these the fibres
-// go before the own triangles: the other way round, a hanging sheet stretches five times as much.
-void pull_to_goals(const ElasticModel& model, FibreScratch& scratch, std::vector<Vec3>& x);
+// Pinned points weigh 1e4 times their mass where rotations are matched, so that triangles turn about them.
+ElasticModel build_elastic_model(const Sheet& sheet, const std::vector<double>& masses,
+                                 const std::vector<char>& pinned, double step, int substeps);
+
+// What a step works in. Positions are offsets in float from where the step starts: seven digits of how far a point
+// moves in a step, not of where it is.
+struct ElasticScratch {
+  std::vector<Point4> offsets, velocities, accelerations, before;
+  std::vector<LaneRow> bending_base, membrane_base;
+  FibreScratch fibres;
+};
+
+// The motion of all points over one step without contact. `positions` and `velocities` come with their values at the
+// step's start, those of pinned points with where they end; they leave with their values at its end.
+void advance_elastic(const ElasticModel& model, const std::vector<Vec3>& accelerations, const std::vector<Vec3>& start,
+                     ElasticScratch& scratch, std::vector<Vec3>& positions, std::vector<Vec3>& velocities);
+
+// The verbs of one substep, for benchmarks and for the scalar twin in the tests.
+void load_elastic(const ElasticModel& model, const std::vector<Vec3>& start, ElasticScratch& scratch);
+void predict_offsets(const ElasticModel& model, ElasticScratch& scratch);
+// x* -> x**: the weak and wide stages first, so that the stiff ones have the last word. Of these the fibres go
+// before the own triangles: the other way round, a hanging sheet stretches several times as much.
+void pull_to_goals(const ElasticModel& model, ElasticScratch& scratch);
+void update_velocities(const ElasticModel& model, ElasticScratch& scratch);
 
 }  // namespace drape

@@ -2,121 +2,101 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "core/parallel.h"
+#include "deformation/coloring.h"
+#include "deformation/fibres_kernel.h"
 
 namespace drape {
-
-// The stiffness in N/m of an edge as a bar: its material's tension per width over the width that its
-// triangles give it (each triangle's area is shared by three edges).
-static double edge_stiffness(const Sheet& sheet, const Edge& edge, double length) {
-  double stiffness = 0;
-  for (const int triangle : edge.triangles)
-    if (triangle >= 0)
-      stiffness += sheet.materials[sheet.triangle_materials[triangle]].stretch_stiffness *
-                   rest_area(sheet, triangle) / (3 * length * length);
-  return stiffness;
-}
-
-static const Edge& edge_between(const Topology& topology, int a, int b) {
-  const std::array<int, 2> wanted = {std::min(a, b), std::max(a, b)};
-  return *std::lower_bound(topology.edges.begin(), topology.edges.end(), wanted,
-                           [](const Edge& edge, const auto& key) { return edge.vertices < key; });
-}
-
-static void append_fibre(const Sheet& sheet, const std::vector<int>& fibre, double step, FibreStage& stage) {
-  stage.vertices.insert(stage.vertices.end(), fibre.begin(), fibre.end());
-  stage.vertex_begin.push_back(stage.vertices.size());
-  for (std::size_t i = 0; i + 1 < fibre.size(); ++i) {
-    const double length = (sheet.rest_positions[fibre[i + 1]] - sheet.rest_positions[fibre[i]]).norm();
-    const double stiffness =
-        edge_stiffness(sheet, edge_between(sheet.topology, fibre[i], fibre[i + 1]), length);
-    stage.rest_lengths.push_back(length);
-    stage.compliances.push_back(1 / (stiffness * step * step));
-  }
-}
-
-FibreStage build_fibres(const Sheet& sheet, double step) {
-  const std::vector<std::vector<int>> fibres = trace_fibres(sheet);
-  Coloring coloring = color_elements(static_cast<int>(sheet.rest_positions.size()), fibres);
-  FibreStage stage;
-  stage.color_begin = std::move(coloring.color_begin);
-  for (const int i : coloring.order) append_fibre(sheet, fibres[i], step, stage);
-  return stage;
-}
-
 namespace {
 
-// One fibre's share of the stage and of the scratch.
-struct Fibre {
-  const int* vertices;
-  std::size_t edges;
-  const double* rest_lengths;
-  const double* compliances;
-  Vec3* directions;
-  double* diagonal;
-  double* tension;
-};
-
-Fibre fibre_at(const FibreStage& stage, FibreScratch& scratch, std::size_t f) {
-  const std::size_t first_vertex = stage.vertex_begin[f], first_edge = first_vertex - f;
-  return {&stage.vertices[first_vertex],   stage.vertex_begin[f + 1] - first_vertex - 1,
-          &stage.rest_lengths[first_edge], &stage.compliances[first_edge],
-          &scratch.directions[first_edge], &scratch.diagonal[first_edge],
-          &scratch.tension[first_edge]};
+std::size_t edge_between(const Topology& topology, int a, int b) {
+  const std::array<int, 2> wanted = {std::min(a, b), std::max(a, b)};
+  const auto found = std::lower_bound(topology.edges.begin(), topology.edges.end(), wanted,
+                                      [](const Edge& edge, const auto& key) { return edge.vertices < key; });
+  return static_cast<std::size_t>(found - topology.edges.begin());
 }
 
-// The tridiagonal system, eliminated downward as it is set up.
-void eliminate(const Fibre& fibre, const std::vector<double>& inverse_masses, const std::vector<Vec3>& x) {
-  for (std::size_t i = 0; i < fibre.edges; ++i) {
-    const int a = fibre.vertices[i], b = fibre.vertices[i + 1];
-    const Vec3 edge = x[b] - x[a];
-    const double length = edge.norm();
-    fibre.directions[i] = length > 0 ? Vec3(edge / length) : Vec3(Vec3::Zero());
-    fibre.diagonal[i] = inverse_masses[a] + inverse_masses[b] + fibre.compliances[i];
-    fibre.tension[i] = length - fibre.rest_lengths[i];
-    if (i == 0) continue;
-    const double coupling = -inverse_masses[a] * fibre.directions[i - 1].dot(fibre.directions[i]);
-    const double factor = coupling / fibre.diagonal[i - 1];
-    fibre.diagonal[i] -= factor * coupling;
-    fibre.tension[i] -= factor * fibre.tension[i - 1];
+double strain_limit(const Sheet& sheet, const Edge& edge) {
+  const double limit = material_of(sheet, edge.triangles[0]).strain_limit;
+  return limit > 0 ? limit : std::numeric_limits<double>::infinity();
+}
+
+// One lane of a group: a fibre, then its last vertex over and over, in edges of no length and no tension.
+void fill_lane(const Sheet& sheet, const std::vector<int>& fibre, const std::vector<double>& stiffnesses, double step,
+               std::size_t first_row, int lane, FibreStage& stage) {
+  for (std::size_t row = first_row; row < stage.vertices.size(); ++row) {
+    const std::size_t i = row - first_row;
+    stage.vertices[row].values[lane] = fibre[std::min(i, fibre.size() - 1)];
+    if (i == 0 || i >= fibre.size()) continue;
+    const std::size_t e = edge_between(sheet.topology, fibre[i - 1], fibre[i]);
+    const double length = rest_length(sheet, sheet.topology.edges[e]);
+    stage.rest_lengths[row].values[lane] = static_cast<float>(length);
+    stage.compliances[row].values[lane] = static_cast<float>(1 / (stiffnesses[e] * step * step));
+    stage.longest[row].values[lane] =
+        static_cast<float>(length * (1 + strain_limit(sheet, sheet.topology.edges[e])));
   }
 }
 
-void substitute_back(const Fibre& fibre, const std::vector<double>& inverse_masses) {
-  for (std::size_t i = fibre.edges; i-- > 0;) {
-    if (i + 1 < fibre.edges) {
-      const double coupling =
-          -inverse_masses[fibre.vertices[i + 1]] * fibre.directions[i].dot(fibre.directions[i + 1]);
-      fibre.tension[i] -= coupling * fibre.tension[i + 1];
+// The fibres of one colour in groups of eight, the long ones together.
+void append_color(const Sheet& sheet, std::vector<std::vector<int>> fibres, const std::vector<double>& stiffnesses,
+                  double step, FibreStage& stage) {
+  std::stable_sort(fibres.begin(), fibres.end(),
+                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  const int filler = static_cast<int>(sheet.rest_positions.size());
+  for (std::size_t first = 0; first < fibres.size(); first += Lanes::count) {
+    const std::size_t first_row = stage.vertices.size(), rows = first_row + fibres[first].size();
+    stage.vertices.resize(rows);
+    stage.rest_lengths.resize(rows, LaneRow{});
+    stage.compliances.resize(rows, LaneRow{});
+    stage.longest.resize(rows, LaneRow{});
+    for (int lane = 0; lane < Lanes::count; ++lane) {
+      const std::size_t i = first + static_cast<std::size_t>(lane);
+      fill_lane(sheet, i < fibres.size() ? fibres[i] : std::vector<int>{filler}, stiffnesses, step, first_row, lane,
+                stage);
     }
-    fibre.tension[i] /= fibre.diagonal[i];
+    stage.row_begin.push_back(rows);
   }
-}
-
-void apply_tension(const Fibre& fibre, const std::vector<double>& inverse_masses, std::vector<Vec3>& x) {
-  for (std::size_t i = 0; i < fibre.edges; ++i) {
-    const int a = fibre.vertices[i], b = fibre.vertices[i + 1];
-    x[a] += inverse_masses[a] * fibre.tension[i] * fibre.directions[i];
-    x[b] -= inverse_masses[b] * fibre.tension[i] * fibre.directions[i];
-  }
+  stage.color_begin.push_back(stage.row_begin.size() - 1);
 }
 
 }  // namespace
 
-void pull_fibres(const FibreStage& stage, const std::vector<double>& inverse_masses, FibreScratch& scratch,
-                 std::vector<Vec3>& x) {
-  scratch.directions.resize(stage.rest_lengths.size());
-  scratch.diagonal.resize(stage.rest_lengths.size());
-  scratch.tension.resize(stage.rest_lengths.size());
-  constexpr std::size_t block = 4;
+FibreStage build_fibres(const Sheet& sheet, const std::vector<double>& stiffnesses, double step) {
+  const std::vector<std::vector<int>> fibres = trace_fibres(sheet);
+  const Coloring coloring = color_elements(static_cast<int>(sheet.rest_positions.size()), fibres);
+  FibreStage stage;
+  stage.color_begin = {0};
+  for (std::size_t color = 0; color + 1 < coloring.color_begin.size(); ++color) {
+    std::vector<std::vector<int>> of_color;
+    for (std::size_t i = coloring.color_begin[color]; i < coloring.color_begin[color + 1]; ++i)
+      of_color.push_back(fibres[coloring.order[i]]);
+    append_color(sheet, std::move(of_color), stiffnesses, step, stage);
+  }
+  return stage;
+}
+
+void load_fibres(const FibreStage& stage, const std::vector<Vec3>& start, FibreScratch& scratch) {
+  scratch.base.resize(3 * stage.vertices.size(), LaneRow{});
+  scratch.work.resize(fibre_work_rows * stage.vertices.size());
+  parallel_for_each(stage.row_begin.size() - 1, 1, [&](std::size_t group) {
+    for (std::size_t row = stage.row_begin[group] + 1; row < stage.row_begin[group + 1]; ++row)
+      for (int lane = 0; lane < Lanes::count; ++lane) {
+        const auto a = static_cast<std::size_t>(stage.vertices[row - 1].values[lane]);
+        const auto b = static_cast<std::size_t>(stage.vertices[row].values[lane]);
+        const Vec3 edge = b < start.size() ? Vec3(start[b] - start[a]) : Vec3(Vec3::Zero());
+        for (std::size_t i = 0; i < 3; ++i)
+          scratch.base[3 * row + i].values[lane] = static_cast<float>(edge[static_cast<Eigen::Index>(i)]);
+      }
+  });
+}
+
+void pull_fibres(const FibreStage& stage, FibreScratch& scratch, std::vector<Point4>& offsets) {
   for (std::size_t color = 0; color + 1 < stage.color_begin.size(); ++color) {
-    const std::size_t begin = stage.color_begin[color];
-    parallel_for_each(stage.color_begin[color + 1] - begin, block, [&](std::size_t i) {
-      const Fibre fibre = fibre_at(stage, scratch, begin + i);
-      eliminate(fibre, inverse_masses, x);
-      substitute_back(fibre, inverse_masses);
-      apply_tension(fibre, inverse_masses, x);
+    const std::size_t first = stage.color_begin[color];
+    parallel_for_each(stage.color_begin[color + 1] - first, 1, [&](std::size_t i) {
+      pull_fibre_group<Lanes>(stage, scratch, first + i, {}, offsets.data());
     });
   }
 }

@@ -4,39 +4,49 @@ namespace drape {
 
 namespace {
 
-struct Inertia {
+// Of a piece at one time, all about its centre of mass.
+struct Momenta {
+  double mass = 0;
   Vec3 centre = Vec3::Zero();
-  Mat3 tensor = Mat3::Zero();
+  Vec3 linear = Vec3::Zero();
+  Vec3 angular = Vec3::Zero();
 };
 
-Inertia inertia_of(const FreePiece& piece, const std::vector<double>& masses, const std::vector<Vec3>& x) {
-  Inertia inertia;
-  double total = 0;
-  for (const int v : piece.vertices) {
-    total += masses[v];
-    inertia.centre += masses[v] * x[v];
+Momenta momenta_of(const FreePiece& piece, const std::vector<double>& masses, const std::vector<Vec3>& x,
+                   const std::vector<Vec3>& v) {
+  Momenta momenta;
+  for (const int i : piece.vertices) {
+    momenta.mass += masses[i];
+    momenta.centre += masses[i] * x[i];
+    momenta.linear += masses[i] * v[i];
   }
-  inertia.centre /= total;
-  for (const int v : piece.vertices) {
-    const Vec3 r = x[v] - inertia.centre;
-    inertia.tensor += masses[v] * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
+  momenta.centre /= momenta.mass;
+  for (const int i : piece.vertices) momenta.angular += masses[i] * (x[i] - momenta.centre).cross(v[i]);
+  return momenta;
+}
+
+Mat3 inertia_about(const FreePiece& piece, const Vec3& centre, const std::vector<double>& masses,
+                   const std::vector<Vec3>& x) {
+  Mat3 tensor = Mat3::Zero();
+  for (const int i : piece.vertices) {
+    const Vec3 r = x[i] - centre;
+    tensor += masses[i] * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
   }
-  return inertia;
+  // A line of points has no inertia about itself, and needs none.
+  return tensor + 1e-12 * tensor.trace() * Mat3::Identity();
 }
 
 }  // namespace
 
-void restore_angular_momentum(const FreePiece& piece, const std::vector<double>& masses,
-                              const std::vector<Vec3>& start, const std::vector<Vec3>& before_pull,
-                              std::vector<Vec3>& x) {
-  const Inertia inertia = inertia_of(piece, masses, start);
-  Vec3 lost = Vec3::Zero();
-  for (const int v : piece.vertices)
-    lost += masses[v] * (start[v] - inertia.centre).cross(before_pull[v] - x[v]);
-  // A line of points has no inertia about itself, and needs none.
-  const Mat3 tensor = inertia.tensor + 1e-12 * inertia.tensor.trace() * Mat3::Identity();
-  const Vec3 turn = tensor.inverse() * lost;
-  for (const int v : piece.vertices) x[v] += turn.cross(start[v] - inertia.centre);
+void restore_momenta(const FreePiece& piece, const std::vector<double>& masses, const std::vector<Vec3>& x0,
+                     const std::vector<Vec3>& v0, const std::vector<Vec3>& a, double step,
+                     const std::vector<Vec3>& x1, std::vector<Vec3>& v1) {
+  const Momenta before = momenta_of(piece, masses, x0, v0), after = momenta_of(piece, masses, x1, v1);
+  const Momenta rate = momenta_of(piece, masses, x0, a);
+  const Vec3 shift = (before.linear + step * rate.linear - after.linear) / after.mass;
+  const Vec3 lost = before.angular + step * rate.angular - after.angular;
+  const Vec3 turn = inertia_about(piece, after.centre, masses, x1).inverse() * lost;
+  for (const int i : piece.vertices) v1[i] += shift + turn.cross(x1[i] - after.centre);
 }
 
 }  // namespace drape

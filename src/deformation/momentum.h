@@ -11,12 +11,12 @@ struct FreePiece {
   std::vector<int> vertices;
 };
 
-// Elastic pulls keep angular momentum about the positions that they see, x*, not about those at the step's
-// start, and so lose a few percent in ten seconds. A step from x0 to x1 has the angular momentum sum m x0 x
-// x1 / h (equal about x0 and about x1), which is linear in x1: the piece gets back exactly what it lost by
-//   x1 += w x (x0 - c),   w = I^-1 sum m (x0 - c) x (x* - x1).
-void restore_angular_momentum(const FreePiece& piece, const std::vector<double>& masses,
-                              const std::vector<Vec3>& start, const std::vector<Vec3>& before_pull,
-                              std::vector<Vec3>& x);
+// Elastic pulls keep linear momentum to the digits of float, and angular momentum about the positions that they see,
+// which are not those that the step started from: a few percent are lost in ten seconds. The piece gets back exactly
+// what it lost: its momenta at the end (x1, v1) become those at the start (x0, v0) with the impulse and the torque,
+// about the centre of mass, of the accelerations a over the step.
+void restore_momenta(const FreePiece& piece, const std::vector<double>& masses, const std::vector<Vec3>& x0,
+                     const std::vector<Vec3>& v0, const std::vector<Vec3>& a, double step,
+                     const std::vector<Vec3>& x1, std::vector<Vec3>& v1);
 
 }  // namespace drape

@@ -7,8 +7,8 @@
 
 namespace drape {
 
-// Gravity and wind over one step, into the velocities. Pinned points are left alone.
-void apply_external_forces(const World& world, const std::vector<Vec3>& positions,
-                           std::vector<Vec3>& velocities);
+// Gravity and wind, in m/s2, taken as constant over a step. Pinned points have none.
+void external_accelerations(const World& world, const std::vector<Vec3>& positions,
+                            const std::vector<Vec3>& velocities, std::vector<Vec3>& accelerations);
 
 }  // namespace drape

@@ -6,18 +6,17 @@
 #include <vector>
 
 #include "core/rigid_motion.h"
+#include "deformation/sheet.h"
 #include "mesh/triangle_mesh.h"
 
 // What a simulation is made from: plain values, checked by whoever made them.
 namespace drape {
 
 struct ClothMaterial {
-  double density = 0.2;              // kg/m2
-  double thickness = 0.005;          // m: the distance that contact keeps between mid-surfaces
-  double stretch_stiffness = 20000;  // N/m: tension per width at a strain of 1
-  double bend_stiffness = 1e-5;      // N m: flexural rigidity
-  double damping = 50;               // 1/s: the rate at which bending motion dies
-  double friction = 0.3;             // Coulomb's coefficient
+  ElasticMaterial elastic;
+  Vec3 warp{1, 0, 0};        // the warp's direction in the rest shape
+  double thickness = 0.005;  // m: the distance that contact keeps between mid-surfaces
+  double friction = 0.3;     // Coulomb's coefficient
 };
 
 // Vertices that follow a motion, or stay where they start. `motion` turns about the centroid of the vertices.

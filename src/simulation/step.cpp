@@ -18,31 +18,25 @@ void gather_start(const State& state, Scratch& scratch) {
   scratch.end = scratch.start;
 }
 
-// Section 3: external forces, and x* = x + h v. Pinned points go where their pins go.
-void predict(const World& world, double time, State& state, Scratch& scratch) {
-  apply_external_forces(world, state.positions, state.velocities);
-  for (std::size_t v = 0; v < state.positions.size(); ++v)
-    if (!world.pinned[v]) scratch.end[v] += world.step * state.velocities[v];
+// Pinned points go where their pins go.
+void move_pins(const World& world, double time, Scratch& scratch) {
   for (const Pin& pin : world.pins)
     for (std::size_t i = 0; i < pin.vertices.size(); ++i)
-      if (world.pinned[pin.vertices[i]]) scratch.end[pin.vertices[i]] = pin_position(pin, i, time);
+      if (world.pinned[pin.vertices[i]]) scratch.free_positions[pin.vertices[i]] = pin_position(pin, i, time);
 }
 
-// Takes from x* what damping takes from the velocities.
-void damp(const World& world, State& state, Scratch& scratch) {
-  scratch.undamped = state.velocities;
-  damp_bending(world.elastic.hinges, world.elastic.inverse_masses, world.step, state.velocities);
-  for (std::size_t v = 0; v < state.positions.size(); ++v)
-    if (!world.pinned[v]) scratch.end[v] += world.step * (state.velocities[v] - scratch.undamped[v]);
-}
-
-// Section 4: x* -> x**. Pieces that nothing holds keep the angular momentum that they were predicted with.
-void pull(const World& world, State& state, Scratch& scratch) {
-  scratch.predicted = scratch.end;
-  damp(world, state, scratch);
-  pull_to_goals(world.elastic, scratch.fibres, scratch.end);
+// Sections 3 and 4: external forces, and x -> x** in substeps. Pieces that nothing holds keep their momenta.
+void move_freely(const World& world, double time, const State& state, Scratch& scratch) {
+  external_accelerations(world, state.positions, state.velocities, scratch.accelerations);
+  scratch.free_positions = state.positions;
+  scratch.free_velocities = state.velocities;
+  move_pins(world, time, scratch);
+  advance_elastic(world.elastic, scratch.accelerations, state.positions, scratch.elastic, scratch.free_positions,
+                  scratch.free_velocities);
   for (const FreePiece& piece : world.free_pieces)
-    restore_angular_momentum(piece, world.masses, scratch.start, scratch.predicted, scratch.end);
+    restore_momenta(piece, world.masses, state.positions, state.velocities, scratch.accelerations, world.step,
+                    scratch.free_positions, scratch.free_velocities);
+  std::copy(scratch.free_positions.begin(), scratch.free_positions.end(), scratch.end.begin());
 }
 
 void check_finite(const std::vector<Vec3>& x) {
@@ -65,11 +59,12 @@ void aim_colliders(const World& world, double time, const State& state, Scratch&
   }
 }
 
-// Velocities from the positions that contact has left; colliders to where they came.
+// Re-integration (section 5): what contact has moved is velocity too, but for its push; colliders to where they came.
 void integrate(const World& world, const ContactStepResult& contact, State& state, Scratch& scratch) {
   const std::size_t count = state.positions.size();
   for (std::size_t v = 0; v < count; ++v)
-    state.velocities[v] = (scratch.end[v] - scratch.start[v] - contact.push[v]) / world.step;
+    state.velocities[v] = scratch.free_velocities[v] +
+                          (scratch.end[v] - scratch.free_positions[v] - contact.push[v]) / world.step;
   state.positions.assign(scratch.end.begin(), scratch.end.begin() + static_cast<std::ptrdiff_t>(count));
   state.collider_points.assign(scratch.end.begin() + static_cast<std::ptrdiff_t>(count), scratch.end.end());
   for (std::size_t c = 0; c < state.collider_times.size(); ++c) {
@@ -86,8 +81,7 @@ ContactStepResult advance_step(const World& world, double time, State& state, Sc
                                Profile& profile) {
   timed(profile, Phase::elastic, [&] {
     gather_start(state, scratch);
-    predict(world, time, state, scratch);
-    pull(world, state, scratch);
+    move_freely(world, time, state, scratch);
   });
   check_finite(scratch.end);
   timed(profile, Phase::other, [&] { aim_colliders(world, time, state, scratch); });

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "contact/contact_step.h"
-#include "deformation/fibres.h"
+#include "deformation/elastic_model.h"
 #include "simulation/simulation.h"
 #include "simulation/world.h"
 
@@ -12,11 +12,12 @@ namespace drape {
 // What one step needs to work in; nothing of it outlives a frame.
 struct Scratch {
   std::vector<Vec3> start, end;  // of all contact vertices: cloths, then colliders
-  std::vector<Vec3> predicted;   // x*
-  std::vector<Vec3> undamped;    // velocities
+  std::vector<Vec3> accelerations;
+  std::vector<Vec3> free_velocities;   // of the cloths' points, where there is no contact
+  std::vector<Vec3> free_positions;    // x**
   std::vector<BodyMotion> bodies;
   std::vector<double> collider_aims;  // seconds: the time on its way that each collider makes for
-  FibreScratch fibres;
+  ElasticScratch elastic;
   ContactCache contacts;
 };
 

@@ -18,8 +18,8 @@ Sheet build_sheet(const SimulationInput& input) {
     for (const auto& [a, b, c] : cloth.mesh.triangles)
       sheet.triangles.push_back({a + first, b + first, c + first});
     sheet.triangle_materials.resize(sheet.triangles.size(), static_cast<int>(sheet.materials.size()));
-    sheet.materials.push_back(
-        {material.density, material.stretch_stiffness, material.bend_stiffness, material.damping});
+    sheet.materials.push_back(material.elastic);
+    sheet.warp_directions.push_back(material.warp);
   }
   sheet.topology = build_topology(static_cast<int>(sheet.rest_positions.size()), sheet.triangles);
   return sheet;
@@ -134,9 +134,11 @@ std::vector<FreePiece> free_pieces(const World& world) {
 
 void build_pinned_parts(World& world, std::vector<char> pinned) {
   world.pinned = std::move(pinned);
-  world.elastic = build_elastic_model(world.sheet, world.masses, world.pinned, world.step);
-  world.geometry.inverse_masses = world.elastic.inverse_masses;
-  world.geometry.inverse_masses.resize(world.geometry.vertex_body.size(), 0.0);
+  world.elastic = build_elastic_model(world.sheet, world.masses, world.pinned, world.step,
+                                      elastic_substeps(world.sheet, world.step));
+  world.geometry.inverse_masses.assign(world.geometry.vertex_body.size(), 0.0);
+  for (std::size_t v = 0; v < world.masses.size(); ++v)
+    if (!world.pinned[v]) world.geometry.inverse_masses[v] = 1 / world.masses[v];
   world.free_pieces = free_pieces(world);
 }
 

@@ -1,0 +1,106 @@
+#include "deformation/sweep_order.h"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+
+#include "deformation/coloring.h"
+
+namespace drape {
+namespace {
+
+int longest_axis(const std::vector<Vec3>& positions, std::span<const int> vertices) {
+  Vec3 lowest = positions[vertices[0]], highest = lowest;
+  for (const int v : vertices) {
+    lowest = lowest.cwiseMin(positions[v]);
+    highest = highest.cwiseMax(positions[v]);
+  }
+  int axis = 0;
+  (highest - lowest).maxCoeff(&axis);
+  return axis;
+}
+
+void halve(const std::vector<Vec3>& positions, std::size_t largest_patch, std::span<int> vertices,
+           std::vector<int>& patches, int& patch_count) {
+  if (vertices.size() <= largest_patch) {
+    for (const int v : vertices) patches[v] = patch_count;
+    ++patch_count;
+    return;
+  }
+  const int axis = longest_axis(positions, vertices);
+  const std::size_t half = vertices.size() / 2;
+  std::nth_element(vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(half), vertices.end(),
+                   [&](int a, int b) {
+                     return std::pair(positions[a][axis], a) < std::pair(positions[b][axis], b);
+                   });
+  halve(positions, largest_patch, vertices.first(half), patches, patch_count);
+  halve(positions, largest_patch, vertices.subspan(half), patches, patch_count);
+}
+
+using ElementLists = std::vector<std::vector<int>>;
+
+// The elements of each patch that has any.
+ElementLists elements_of_patches(const std::vector<int>& patches, const std::vector<std::size_t>& begin,
+                                 const std::vector<int>& vertices) {
+  ElementLists lists(
+      patches.empty() ? 0 : static_cast<std::size_t>(*std::max_element(patches.begin(), patches.end())) + 1);
+  for (std::size_t e = 0; e + 1 < begin.size(); ++e) {
+    int patch = patches[vertices[begin[e]]];
+    for (std::size_t i = begin[e]; i < begin[e + 1]; ++i) patch = std::min(patch, patches[vertices[i]]);
+    lists[patch].push_back(static_cast<int>(e));
+  }
+  std::erase_if(lists, [](const std::vector<int>& list) { return list.empty(); });
+  return lists;
+}
+
+// Colours of lists of elements: of each list's elements (`apart`), or of the lists themselves.
+Coloring color_lists(int vertex_count, const ElementLists& lists, const std::vector<std::size_t>& begin,
+                     const std::vector<int>& vertices) {
+  std::vector<std::size_t> list_begin{0};
+  std::vector<int> list_vertices;
+  for (const std::vector<int>& list : lists) {
+    for (const int e : list)
+      list_vertices.insert(list_vertices.end(), vertices.begin() + static_cast<std::ptrdiff_t>(begin[e]),
+                           vertices.begin() + static_cast<std::ptrdiff_t>(begin[e + 1]));
+    list_begin.push_back(list_vertices.size());
+  }
+  return color_elements(vertex_count, list_begin, list_vertices);
+}
+
+// The elements of one patch, colour by colour, each colour filled up to whole rows.
+void append_rows(int vertex_count, const std::vector<int>& patch, const std::vector<std::size_t>& begin,
+                 const std::vector<int>& vertices, std::vector<int>& rows) {
+  ElementLists single;
+  for (const int e : patch) single.push_back({e});
+  const Coloring coloring = color_lists(vertex_count, single, begin, vertices);
+  for (std::size_t color = 0; color + 1 < coloring.color_begin.size(); ++color) {
+    for (std::size_t i = coloring.color_begin[color]; i < coloring.color_begin[color + 1]; ++i)
+      rows.push_back(patch[coloring.order[i]]);
+    while (rows.size() % Lanes::count != 0) rows.push_back(-1);
+  }
+}
+
+}  // namespace
+
+std::vector<int> vertex_patches(const std::vector<Vec3>& positions, std::size_t largest_patch) {
+  std::vector<int> patches(positions.size(), 0), vertices(positions.size());
+  std::iota(vertices.begin(), vertices.end(), 0);
+  int patch_count = 0;
+  if (!positions.empty()) halve(positions, largest_patch, vertices, patches, patch_count);
+  return patches;
+}
+
+SweepOrder sweep_order(const std::vector<int>& patches, const std::vector<std::size_t>& begin,
+                       const std::vector<int>& vertices) {
+  const int vertex_count = static_cast<int>(patches.size());
+  const ElementLists lists = elements_of_patches(patches, begin, vertices);
+  Coloring coloring = color_lists(vertex_count, lists, begin, vertices);
+  SweepOrder order{{}, {0}, std::move(coloring.color_begin)};
+  for (const int list : coloring.order) {
+    append_rows(vertex_count, lists[list], begin, vertices, order.elements);
+    order.row_begin.push_back(order.row_count());
+  }
+  return order;
+}
+
+}  // namespace drape

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/lanes.h"
+#include "core/parallel.h"
+#include "core/vector.h"
+
+namespace drape {
+
+// An order for Gauss-Seidel sweeps over elements that is quick and gives the same bits for any number of threads.
+// Elements lie in rows of eight that share no vertex (one element a lane); rows lie in patches, which fit a core's
+// cache; patches lie in colours, of which no two patches share a vertex and so can be swept at once.
+struct SweepOrder {
+  std::vector<int> elements;             // eight a row; -1: a filler, where a patch has none left
+  std::vector<std::size_t> row_begin;    // rows of patch p: [row_begin[p] .. row_begin[p + 1])
+  std::vector<std::size_t> color_begin;  // patches of colour c: [color_begin[c] .. color_begin[c + 1])
+
+  std::size_t row_count() const { return elements.size() / Lanes::count; }
+  std::size_t patch_count() const { return row_begin.size() - 1; }
+};
+
+// A patch for each vertex: the halves of halves of the positions, cut across their longest extent, until none
+// holds more than `largest_patch`.
+std::vector<int> vertex_patches(const std::vector<Vec3>& positions, std::size_t largest_patch);
+
+// The vertices of element e are vertices[begin[e] .. begin[e + 1]); it goes to the first patch among theirs.
+SweepOrder sweep_order(const std::vector<int>& patches, const std::vector<std::size_t>& begin,
+                       const std::vector<int>& vertices);
+
+// The same for elements that are arrays of vertices; negative ones count as absent.
+template <typename Elements>
+SweepOrder sweep_order(const std::vector<int>& patches, const Elements& elements) {
+  std::vector<std::size_t> begin{0};
+  std::vector<int> vertices;
+  for (const auto& element : elements) {
+    for (const int vertex : element)
+      if (vertex >= 0) vertices.push_back(vertex);
+    begin.push_back(vertices.size());
+  }
+  return sweep_order(patches, begin, vertices);
+}
+
+// Calls body(row) for every row: those of a patch in order, patches of a colour at once.
+template <typename Body>
+void sweep(const SweepOrder& order, const Body& body) {
+  for (std::size_t color = 0; color + 1 < order.color_begin.size(); ++color) {
+    const std::size_t first = order.color_begin[color];
+    parallel_for_each(order.color_begin[color + 1] - first, 1, [&](std::size_t i) {
+      for (std::size_t row = order.row_begin[first + i]; row < order.row_begin[first + i + 1]; ++row) body(row);
+    });
+  }
+}
+
+// Calls body(element, row, lane, filler_vertex) for every lane of every row, element -1 for fillers. Fillers of a
+// patch have a vertex of their own, behind those of the mesh, so that threads do not meet there.
+template <typename Body>
+void for_each_lane(const SweepOrder& order, std::size_t vertex_count, const Body& body) {
+  for (std::size_t patch = 0; patch < order.patch_count(); ++patch)
+    for (std::size_t row = order.row_begin[patch]; row < order.row_begin[patch + 1]; ++row)
+      for (int lane = 0; lane < Lanes::count; ++lane)
+        body(order.elements[row * Lanes::count + static_cast<std::size_t>(lane)], row, lane,
+             static_cast<int>(vertex_count + patch));
+}
+
+}  // namespace drape
