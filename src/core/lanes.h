@@ -14,8 +14,15 @@ namespace drape {
 struct alignas(32) LaneRow {
   float values[8];
 };
-struct alignas(32) IndexRow {
-  int values[8];
+// Vertices, kept as places of floats in an array of Point4: one instruction less for each of many loads.
+class alignas(32) IndexRow {
+ public:
+  int vertex(int lane) const { return places_[lane] / 4; }
+  void set(int lane, int vertex) { places_[lane] = 4 * vertex; }
+  const int* places() const { return places_; }
+
+ private:
+  int places_[8];
 };
 
 // A point of single precision with a fourth number of its own.
@@ -109,11 +116,11 @@ struct LaneAccess<float> {
   float load(const LaneRow& row) const { return row.values[lane]; }
   void store(LaneRow& row, float value) const { row.values[lane] = value; }
   LanePoint<float> gather(const Point4* points, const IndexRow& indices) const {
-    const Point4& point = points[indices.values[lane]];
+    const Point4& point = points[indices.vertex(lane)];
     return {{point.x, point.y, point.z}, point.w};
   }
   void scatter(Point4* points, const IndexRow& indices, const LanePoint<float>& value) const {
-    points[indices.values[lane]] = {value.p.x, value.p.y, value.p.z, value.w};
+    points[indices.vertex(lane)] = {value.p.x, value.p.y, value.p.z, value.w};
   }
 };
 
@@ -135,9 +142,11 @@ struct LaneAccess<Lanes> {
   Lanes load(const LaneRow& row) const { return _mm256_load_ps(row.values); }
   void store(LaneRow& row, Lanes value) const { _mm256_store_ps(row.values, value.v); }
   LanePoint<Lanes> gather(const Point4* points, const IndexRow& indices) const {
+    const float* first = &points->x;
+    const int* places = indices.places();
     const auto two = [&](int i) {
-      const __m128 low = _mm_load_ps(&points[indices.values[i]].x);
-      return _mm256_insertf128_ps(_mm256_castps128_ps256(low), _mm_load_ps(&points[indices.values[i + 4]].x), 1);
+      const __m128 low = _mm_load_ps(first + places[i]);
+      return _mm256_insertf128_ps(_mm256_castps128_ps256(low), _mm_load_ps(first + places[i + 4]), 1);
     };
     __m256 a = two(0), b = two(1), c = two(2), d = two(3);
     transpose_halves(a, b, c, d);
@@ -147,8 +156,8 @@ struct LaneAccess<Lanes> {
     __m256 a = value.p.x.v, b = value.p.y.v, c = value.p.z.v, d = value.w.v;
     transpose_halves(a, b, c, d);
     const auto two = [&](int i, __m256 pair) {
-      _mm_store_ps(&points[indices.values[i]].x, _mm256_castps256_ps128(pair));
-      _mm_store_ps(&points[indices.values[i + 4]].x, _mm256_extractf128_ps(pair, 1));
+      _mm_store_ps(&points->x + indices.places()[i], _mm256_castps256_ps128(pair));
+      _mm_store_ps(&points->x + indices.places()[i + 4], _mm256_extractf128_ps(pair, 1));
     };
     two(0, a), two(1, b), two(2, c), two(3, d);
   }

@@ -147,7 +147,7 @@ BendingStage build_bending(const Sheet& sheet, const std::vector<int>& patches,
   for_each_lane(stage.order, inverse_masses.size(), [&](int element, std::size_t row, int lane, int filler) {
     for (std::size_t i = 0; i < 6; ++i) {
       const int vertex = element < 0 ? -1 : clusters.corners[element][i];
-      stage.corners[6 * row + i].values[lane] = vertex < 0 ? filler : vertex;
+      stage.corners[6 * row + i].set(lane, vertex < 0 ? filler : vertex);
     }
     if (element < 0) return;
     const int triangle = clusters.triangles[element];
@@ -172,7 +172,7 @@ void load_cluster(const BendingStage& stage, const std::vector<Vec3>& start, std
                   LaneRow* rows) {
   Vec3 points[6];
   for (std::size_t i = 0; i < 6; ++i) {
-    const auto vertex = static_cast<std::size_t>(stage.corners[6 * row + i].values[lane]);
+    const auto vertex = static_cast<std::size_t>(stage.corners[6 * row + i].vertex(lane));
     points[i] = vertex < start.size() ? start[vertex] : Vec3(Vec3::Zero());
   }
   const Vec3 origin = points[0];  // the weights add up to 0 to seven digits only

@@ -62,7 +62,7 @@ void subtract_rest(const BendingStage& stage, std::size_t row, const LaneAccess<
 }
 
 template <typename Number>
-void pull_bending_row(const BendingStage& stage, const std::vector<LaneRow>& base, std::size_t row,
+[[gnu::flatten]] void pull_bending_row(const BendingStage& stage, const std::vector<LaneRow>& base, std::size_t row,
                       const LaneAccess<Number>& access, Point4* offsets) {
   const LaneRow* weights = &stage.weights[18 * row];
   const LaneRow* start = &base[bending_base_rows(stage) * row];
@@ -76,7 +76,7 @@ void pull_bending_row(const BendingStage& stage, const std::vector<LaneRow>& bas
 }
 
 template <typename Number>
-void damp_bending_row(const BendingStage& stage, std::size_t row, const LaneAccess<Number>& access,
+[[gnu::flatten]] void damp_bending_row(const BendingStage& stage, std::size_t row, const LaneAccess<Number>& access,
                       Point4* velocities) {
   const LaneRow* weights = &stage.weights[18 * row];
   const Number zero(0);

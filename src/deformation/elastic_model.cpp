@@ -65,7 +65,7 @@ int elastic_substeps(const Sheet& sheet, double step) {
 }
 
 ElasticModel build_elastic_model(const Sheet& sheet, const std::vector<double>& masses,
-                                 const std::vector<char>& pinned, double step, int substeps) {
+                                 const std::vector<char>& pinned, double gravity, double step, int substeps) {
   std::vector<double> weights = masses, inverse_masses(masses.size());
   for (std::size_t v = 0; v < masses.size(); ++v) {
     if (pinned[v]) weights[v] *= 1e4;
@@ -85,6 +85,7 @@ ElasticModel build_elastic_model(const Sheet& sheet, const std::vector<double>& 
   model.membrane_damping =
       build_membrane(sheet, patches, weights, inverse_masses, {damped_tensors(sheet, membrane.whole), step});
   model.fibres = build_fibres(sheet, membrane.bars, substep);
+  model.tethers = build_tethers(sheet, masses, pinned, gravity);
   for (const double inverse_mass : inverse_masses)
     model.inverse_masses.push_back({0, 0, 0, static_cast<float>(inverse_mass)});
   const int fillers = *std::max_element(patches.begin(), patches.end()) + 1;
@@ -97,6 +98,7 @@ void load_elastic(const ElasticModel& model, const std::vector<Vec3>& start, Ela
   load_bending(model.bending, start, scratch.bending_base);
   load_membrane(model.membrane, start, scratch.membrane_base);
   load_fibres(model.fibres, start, scratch.fibres);
+  load_tethers(model.tethers, start, scratch.tether_base);
 }
 
 namespace {
@@ -156,6 +158,7 @@ void predict_offsets(const ElasticModel& model, ElasticScratch& scratch) {
 
 void pull_to_goals(const ElasticModel& model, ElasticScratch& scratch) {
   pull_bending(model.bending, scratch.bending_base, scratch.offsets);
+  pull_tethers(model.tethers, scratch.tether_base, scratch.offsets);
   pull_fibres(model.fibres, scratch.fibres, scratch.offsets);
   pull_membrane(model.membrane, scratch.membrane_base, scratch.offsets);
 }

@@ -6,6 +6,7 @@
 #include "deformation/fibres.h"
 #include "deformation/membrane.h"
 #include "deformation/sheet.h"
+#include "deformation/tethers.h"
 
 namespace drape {
 
@@ -14,6 +15,7 @@ struct ElasticModel {
   BendingStage bending;
   MembraneStage membrane;
   FibreStage fibres;
+  TetherStage tethers;
   BendingStage bending_damping;
   MembraneStage membrane_damping;
   std::vector<Point4> inverse_masses;  // w: 1/kg, 0 where pinned; x, y, z are 0. Fillers follow the vertices
@@ -27,7 +29,7 @@ int elastic_substeps(const Sheet& sheet, double step);
 
 // Pinned points weigh 1e4 times their mass where rotations are matched, so that triangles turn about them.
 ElasticModel build_elastic_model(const Sheet& sheet, const std::vector<double>& masses,
-                                 const std::vector<char>& pinned, double step, int substeps);
+                                 const std::vector<char>& pinned, double gravity, double step, int substeps);
 
 // What a step works in. Positions are offsets in float from where the step starts: seven digits of how far a point
 // moves in a step, not of where it is.
@@ -35,6 +37,7 @@ struct ElasticScratch {
   std::vector<Point4> offsets, velocities, accelerations, before;
   std::vector<LaneRow> bending_base, membrane_base;
   FibreScratch fibres;
+  std::vector<Point4> tether_base;
 };
 
 // The motion of all points over one step without contact. `positions` and `velocities` come with their values at the

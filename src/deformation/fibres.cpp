@@ -28,7 +28,7 @@ void fill_lane(const Sheet& sheet, const std::vector<int>& fibre, const std::vec
                std::size_t first_row, int lane, FibreStage& stage) {
   for (std::size_t row = first_row; row < stage.vertices.size(); ++row) {
     const std::size_t i = row - first_row;
-    stage.vertices[row].values[lane] = fibre[std::min(i, fibre.size() - 1)];
+    stage.vertices[row].set(lane, fibre[std::min(i, fibre.size() - 1)]);
     if (i == 0 || i >= fibre.size()) continue;
     const std::size_t e = edge_between(sheet.topology, fibre[i - 1], fibre[i]);
     const double length = rest_length(sheet, sheet.topology.edges[e]);
@@ -83,8 +83,8 @@ void load_fibres(const FibreStage& stage, const std::vector<Vec3>& start, FibreS
   parallel_for_each(stage.row_begin.size() - 1, 1, [&](std::size_t group) {
     for (std::size_t row = stage.row_begin[group] + 1; row < stage.row_begin[group + 1]; ++row)
       for (int lane = 0; lane < Lanes::count; ++lane) {
-        const auto a = static_cast<std::size_t>(stage.vertices[row - 1].values[lane]);
-        const auto b = static_cast<std::size_t>(stage.vertices[row].values[lane]);
+        const auto a = static_cast<std::size_t>(stage.vertices[row - 1].vertex(lane));
+        const auto b = static_cast<std::size_t>(stage.vertices[row].vertex(lane));
         const Vec3 edge = b < start.size() ? Vec3(start[b] - start[a]) : Vec3(Vec3::Zero());
         for (std::size_t i = 0; i < 3; ++i)
           scratch.base[3 * row + i].values[lane] = static_cast<float>(edge[static_cast<Eigen::Index>(i)]);

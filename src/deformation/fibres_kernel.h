@@ -65,7 +65,7 @@ void apply_tensions(const FibreStage& stage, FibreScratch& scratch, std::size_t 
 }
 
 template <typename Number>
-void pull_fibre_group(const FibreStage& stage, FibreScratch& scratch, std::size_t group,
+[[gnu::flatten]] void pull_fibre_group(const FibreStage& stage, FibreScratch& scratch, std::size_t group,
                       const LaneAccess<Number>& access, Point4* offsets) {
   const std::size_t first = stage.row_begin[group], end = stage.row_begin[group + 1];
   eliminate(stage, scratch, first, end, access, offsets);

@@ -75,7 +75,7 @@ MembraneStage build_membrane(const Sheet& sheet, const std::vector<int>& patches
   for_each_lane(stage.order, weights.size(), [&](int triangle, std::size_t row, int lane, int filler) {
     LaneRow* constants = &stage.constants[MembraneRow::count * row];
     for (std::size_t k = 0; k < 3; ++k)
-      stage.corners[3 * row + k].values[lane] = triangle < 0 ? filler : sheet.triangles[triangle][k];
+      stage.corners[3 * row + k].set(lane, triangle < 0 ? filler : sheet.triangles[triangle][k]);
     if (triangle < 0) return set(constants, lane, filler_constants);
     const auto& [a, b, c] = sheet.triangles[triangle];
     set(constants, lane,
@@ -90,7 +90,7 @@ void load_membrane(const MembraneStage& stage, const std::vector<Vec3>& start, s
   parallel_for_each(stage.order.row_count(), 512, [&](std::size_t row) {
     LaneRow* rows = &base[membrane_base_rows * row];
     for (int lane = 0; lane < Lanes::count; ++lane) {
-      const auto corner = [&](std::size_t k) { return static_cast<std::size_t>(stage.corners[3 * row + k].values[lane]); };
+      const auto corner = [&](std::size_t k) { return static_cast<std::size_t>(stage.corners[3 * row + k].vertex(lane)); };
       const bool filler = corner(0) >= start.size();
       const Vec3 e1 = filler ? Vec3(1, 0, 0) : Vec3(start[corner(1)] - start[corner(0)]);
       const Vec3 e2 = filler ? Vec3(0, 1, 0) : Vec3(start[corner(2)] - start[corner(0)]);

@@ -134,8 +134,8 @@ std::vector<FreePiece> free_pieces(const World& world) {
 
 void build_pinned_parts(World& world, std::vector<char> pinned) {
   world.pinned = std::move(pinned);
-  world.elastic = build_elastic_model(world.sheet, world.masses, world.pinned, world.step,
-                                      elastic_substeps(world.sheet, world.step));
+  world.elastic = build_elastic_model(world.sheet, world.masses, world.pinned,
+                                      world.input.gravity.norm(), world.step, elastic_substeps(world.sheet, world.step));
   world.geometry.inverse_masses.assign(world.geometry.vertex_body.size(), 0.0);
   for (std::size_t v = 0; v < world.masses.size(); ++v)
     if (!world.pinned[v]) world.geometry.inverse_masses[v] = 1 / world.masses[v];

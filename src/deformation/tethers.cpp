@@ -1,0 +1,189 @@
+#include "deformation/tethers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <queue>
+
+#include "core/parallel.h"
+#include "deformation/membrane_material.h"
+
+namespace drape {
+namespace {
+
+// Edges at each vertex, as neighbour and length.
+struct EdgeGraph {
+  std::vector<std::vector<std::pair<int, double>>> neighbours;
+};
+
+EdgeGraph edge_graph(const Sheet& sheet) {
+  EdgeGraph graph{std::vector<std::vector<std::pair<int, double>>>(sheet.rest_positions.size())};
+  for (const Edge& edge : sheet.topology.edges) {
+    const double length = rest_length(sheet, edge);
+    graph.neighbours[edge.vertices[0]].push_back({edge.vertices[1], length});
+    graph.neighbours[edge.vertices[1]].push_back({edge.vertices[0], length});
+  }
+  return graph;
+}
+
+// The pinned vertices, in groups that are connected by edges between pinned vertices.
+std::vector<std::vector<int>> pinned_groups(const EdgeGraph& graph, const std::vector<char>& pinned) {
+  std::vector<std::vector<int>> groups;
+  std::vector<char> seen(pinned.size(), 0);
+  for (int v = 0; v < static_cast<int>(pinned.size()); ++v) {
+    if (!pinned[v] || seen[v]) continue;
+    std::vector<int> group{v};
+    seen[v] = 1;
+    for (std::size_t i = 0; i < group.size(); ++i)
+      for (const auto& [next, length] : graph.neighbours[group[i]])
+        if (pinned[next] && !seen[next]) {
+          seen[next] = 1;
+          group.push_back(next);
+        }
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+// For each vertex that a group reaches along edges: the way, and the pinned vertex at its end (Dijkstra).
+struct Reach {
+  std::vector<double> distance;
+  std::vector<int> source;
+};
+
+Reach reach_of(const EdgeGraph& graph, const std::vector<int>& group) {
+  Reach reach{std::vector<double>(graph.neighbours.size(), std::numeric_limits<double>::infinity()),
+              std::vector<int>(graph.neighbours.size(), -1)};
+  std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> queue;
+  for (const int v : group) {
+    reach.distance[v] = 0;
+    reach.source[v] = v;
+    queue.push({0, v});
+  }
+  while (!queue.empty()) {
+    const auto [distance, v] = queue.top();
+    queue.pop();
+    if (distance > reach.distance[v]) continue;
+    for (const auto& [next, length] : graph.neighbours[v])
+      if (distance + length < reach.distance[next]) {
+        reach.distance[next] = distance + length;
+        reach.source[next] = reach.source[v];
+        queue.push({distance + length, next});
+      }
+  }
+  return reach;
+}
+
+// Pieces that lie in a plane within a convex outline: there the shortest way is straight. Boundary edges run
+// counter-clockwise as their triangles do, so that in a convex piece every point is on the left of each.
+std::vector<char> convex_pieces(const Sheet& sheet, const std::vector<int>& piece_of) {
+  const std::vector<Vec3>& x = sheet.rest_positions;
+  const int count = piece_of.empty() ? 0 : *std::max_element(piece_of.begin(), piece_of.end()) + 1;
+  std::vector<char> convex(static_cast<std::size_t>(count), 1);
+  std::vector<int> some_triangle(static_cast<std::size_t>(count), -1);
+  for (int t = 0; t < static_cast<int>(sheet.triangles.size()); ++t)
+    some_triangle[piece_of[sheet.triangles[t][0]]] = t;
+  std::vector<std::vector<std::pair<int, int>>> boundary(static_cast<std::size_t>(count));
+  for (int t = 0; t < static_cast<int>(sheet.triangles.size()); ++t)
+    for (int k = 0; k < 3; ++k)
+      if (opposite_vertex(sheet.topology, sheet.triangles, t, k) < 0)
+        boundary[piece_of[sheet.triangles[t][0]]].push_back({sheet.triangles[t][k], sheet.triangles[t][(k + 1) % 3]});
+  for (std::size_t piece = 0; piece < convex.size(); ++piece) {
+    if (some_triangle[piece] < 0) continue;
+    const auto& [a, b, c] = sheet.triangles[some_triangle[piece]];
+    const Vec3 normal = (x[b] - x[a]).cross(x[c] - x[a]).normalized();
+    double size = 0;
+    for (const auto& [from, to] : boundary[piece]) size = std::max(size, (x[from] - x[a]).norm());
+    const double tolerance = 1e-6 * size;
+    for (std::size_t v = 0; v < x.size() && convex[piece]; ++v)
+      if (piece_of[v] == static_cast<int>(piece) && std::abs(normal.dot(x[v] - x[a])) > tolerance) convex[piece] = 0;
+    if (boundary[piece].empty()) convex[piece] = 0;
+    for (const auto& [from, to] : boundary[piece]) {
+      const Vec3 inward = normal.cross((x[to] - x[from]).normalized());
+      for (const auto& [other, unused] : boundary[piece])
+        if (convex[piece] && inward.dot(x[other] - x[from]) < -tolerance) convex[piece] = 0;
+      if (!convex[piece]) break;
+    }
+  }
+  return convex;
+}
+
+// How far the material stretches between a pin and a point at `distance`, where `weight` hangs on the pin: the
+// tension on a quarter circle of radius r is weight / (pi r / 2), summed up from an edge's length on.
+// (Along warp or weft that is the stretch stiffness, on the bias mostly the shear stiffness.)
+double slack(double weight, double stiffness, double edge_length, double distance) {
+  const double reach = std::max(distance / edge_length, 1.0);
+  return weight / (stiffness * std::numbers::pi / 2) * (1 + std::log(reach));
+}
+
+// In N/m along a direction of the rest shape, free to contract across; on the bias where there is none in its plane.
+double stiffness_along(const Sheet& sheet, int triangle, const std::optional<Vec3>& direction) {
+  const double along_warp = direction ? std::abs(warp_in_plane(sheet, triangle).dot(*direction)) : std::sqrt(0.5);
+  const double cosine = std::min(1.0, along_warp);
+  const double sine = std::sqrt(1 - cosine * cosine);
+  const Vec3 strain(cosine * cosine, sine * sine, cosine * sine);
+  return 1 / strain.dot(membrane_tensor(material_of(sheet, triangle), Vec2(1, 0)).inverse() * strain);
+}
+
+}  // namespace
+
+TetherStage build_tethers(const Sheet& sheet, const std::vector<double>& masses, const std::vector<char>& pinned,
+                          double gravity) {
+  const std::vector<Vec3>& x = sheet.rest_positions;
+  const EdgeGraph graph = edge_graph(sheet);
+  const std::vector<int> piece_of = connected_pieces(static_cast<int>(x.size()), sheet.triangles);
+  const std::vector<char> convex = convex_pieces(sheet, piece_of);
+  std::vector<double> weights(convex.size(), 0.0);
+  for (std::size_t v = 0; v < x.size(); ++v) weights[piece_of[v]] += gravity * masses[v];
+  std::vector<std::vector<Tether>> of_vertex(x.size());
+  for (const std::vector<int>& group : pinned_groups(graph, pinned)) {
+    const Reach reach = reach_of(graph, group);
+    for (int v = 0; v < static_cast<int>(x.size()); ++v) {
+      const int pin = reach.source[v];
+      if (pin < 0 || pinned[v]) continue;
+      const int piece = piece_of[v];
+      const double way = convex[piece] ? (x[v] - x[pin]).norm() : reach.distance[v];
+      const double edge_length = graph.neighbours[v].front().second;
+      const std::optional<Vec3> direction = convex[piece] ? std::optional<Vec3>((x[v] - x[pin]) / way) : std::nullopt;
+      const double stiffness = stiffness_along(sheet, sheet.topology.vertex_triangles[sheet.topology.vertex_triangle_begin[v]], direction);
+      of_vertex[v].push_back(
+          {v, pin, static_cast<float>(way + slack(weights[piece], stiffness, edge_length, way))});
+    }
+  }
+  TetherStage stage{{}, {0}};
+  for (const std::vector<Tether>& tethers : of_vertex) {
+    if (tethers.empty()) continue;
+    stage.tethers.insert(stage.tethers.end(), tethers.begin(), tethers.end());
+    stage.vertex_begin.push_back(stage.tethers.size());
+  }
+  return stage;
+}
+
+void load_tethers(const TetherStage& stage, const std::vector<Vec3>& start, std::vector<Point4>& base) {
+  base.resize(stage.tethers.size());
+  parallel_for_each(stage.tethers.size(), 4096, [&](std::size_t i) {
+    const Vec3 way = start[stage.tethers[i].vertex] - start[stage.tethers[i].pin];
+    base[i] = {static_cast<float>(way.x()), static_cast<float>(way.y()), static_cast<float>(way.z()), 0};
+  });
+}
+
+static void pull_tether(const Tether& tether, const Point4& base, std::vector<Point4>& offsets) {
+  Point4& u = offsets[tether.vertex];
+  const Point4& pin = offsets[tether.pin];
+  const LaneVec3<float> way{base.x + (u.x - pin.x), base.y + (u.y - pin.y), base.z + (u.z - pin.z)};
+  const float squared = dot(way, way);
+  if (!(squared > tether.length * tether.length)) return;
+  const float excess = 1 - tether.length / square_root(squared);
+  u = {u.x - excess * way.x, u.y - excess * way.y, u.z - excess * way.z, u.w};
+}
+
+void pull_tethers(const TetherStage& stage, const std::vector<Point4>& base, std::vector<Point4>& offsets) {
+  parallel_for_each(stage.vertex_begin.size() - 1, 2048, [&](std::size_t i) {
+    for (std::size_t t = stage.vertex_begin[i]; t < stage.vertex_begin[i + 1]; ++t)
+      pull_tether(stage.tethers[t], base[t], offsets);
+  });
+}
+
+}  // namespace drape
