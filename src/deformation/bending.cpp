@@ -123,6 +123,15 @@ bool is_curved(const Sheet& sheet, const Clusters& clusters) {
   return false;
 }
 
+// At the rim of a clamp the sheet bends on one side only: a row of folds there turns half as far as the curvature
+// says, and needs twice a row's stiffness. Half of one row's is that of the triangles outside; those within, whose
+// own corners are all pinned, have three halves.
+double area_share(const std::array<int, 6>& corners, const std::vector<double>& inverse_masses) {
+  const bool clamped =
+      std::all_of(corners.begin(), corners.begin() + 3, [&](int v) { return !(inverse_masses[v] > 0); });
+  return clamped ? 3 : 1;
+}
+
 ClusterConstants constants_of(const Sheet& sheet, int triangle, const std::array<int, 6>& corners,
                               const std::vector<double>& inverse_masses, double duration_squared) {
   const Cluster cluster = flatten(sheet, triangle, corners);
@@ -130,7 +139,8 @@ ClusterConstants constants_of(const Sheet& sheet, int triangle, const std::array
   for (std::size_t i = 0; i < cluster.present.size(); ++i)
     masses[static_cast<Eigen::Index>(i)] = inverse_masses[corners[cluster.present[i]]];
   const Mat3 bending = bending_tensor(material_of(sheet, triangle), cluster.warp);
-  return cluster_constants(cluster, bending, rest_area(sheet, triangle) * duration_squared, masses);
+  const double area = rest_area(sheet, triangle) * area_share(corners, inverse_masses);
+  return cluster_constants(cluster, bending, area * duration_squared, masses);
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/parallel.h"
-
 namespace drape {
 
 double triangle_shape(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -12,8 +10,6 @@ double triangle_shape(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double sides = p.squaredNorm() + q.squaredNorm() + (c - b).squaredNorm();
   return sides > 0 ? 2 * std::numbers::sqrt3 * p.cross(q).norm() / sides : 0;
 }
-
-std::vector<std::array<int, 3>> own_triangles(const Sheet& sheet) { return sheet.triangles; }
 
 static bool well_shaped(const Sheet& sheet, const std::array<int, 3>& cluster) {
   constexpr double least_shape = 0.1;
@@ -53,42 +49,6 @@ std::vector<std::array<int, 3>> outer_corners(const Sheet& sheet, std::vector<in
     materials.push_back(sheet.triangle_materials[t]);
   }
   return clusters;
-}
-
-ClusterStage build_cluster_stage(const Sheet& sheet, const std::vector<std::array<int, 3>>& clusters,
-                                 const std::vector<double>& stiffness, const std::vector<double>& masses,
-                                 double step) {
-  Coloring coloring = color_elements(static_cast<int>(sheet.rest_positions.size()), clusters);
-  ClusterStage stage{{}, std::move(coloring.color_begin)};
-  stage.clusters.reserve(clusters.size());
-  for (const int i : coloring.order) {
-    const auto& [a, b, c] = clusters[i];
-    const std::vector<Vec3>& x = sheet.rest_positions;
-    const double pull = stiffness[i] * step * step / (1 + stiffness[i] * step * step);
-    stage.clusters.push_back(
-        {clusters[i], match_constants({x[a], x[b], x[c]}, {masses[a], masses[b], masses[c]}), pull});
-  }
-  return stage;
-}
-
-static void pull_cluster(const TriangleCluster& cluster, const std::vector<double>& inverse_masses,
-                         std::vector<Vec3>& x) {
-  const auto& [a, b, c] = cluster.vertices;
-  const auto displacements = match_displacements(cluster.rest, x[a], x[b], x[c]);
-  for (int i = 0; i < 3; ++i) {
-    const int vertex = cluster.vertices[i];
-    if (inverse_masses[vertex] > 0) x[vertex] += cluster.pull * displacements[i];
-  }
-}
-
-void pull_clusters(const ClusterStage& stage, const std::vector<double>& inverse_masses,
-                   std::vector<Vec3>& x) {
-  constexpr std::size_t block = 256;
-  for (std::size_t color = 0; color + 1 < stage.color_begin.size(); ++color) {
-    const std::size_t begin = stage.color_begin[color];
-    parallel_for_each(stage.color_begin[color + 1] - begin, block,
-                      [&](std::size_t i) { pull_cluster(stage.clusters[begin + i], inverse_masses, x); });
-  }
 }
 
 }  // namespace drape

@@ -52,16 +52,30 @@ constexpr std::size_t largest_patch = 1300;
 
 }  // namespace
 
-int elastic_substeps(const Sheet& sheet, double step) {
-  constexpr double edges_crossed = 6;
-  double largest_substep = step;
+// Mean length of each material's edges.
+static std::vector<double> mean_edge_lengths(const Sheet& sheet) {
+  std::vector<double> sums(sheet.materials.size(), 0.0), counts(sheet.materials.size(), 0.0);
   for (const Edge& edge : sheet.topology.edges) {
-    const ElasticMaterial& material = material_of(sheet, edge.triangles[0]);
-    const double stiffness = std::max(material.stretch_stiffness[0], material.stretch_stiffness[1]);
-    const double wave_speed = std::sqrt(stiffness / material.density);
-    largest_substep = std::min(largest_substep, edges_crossed * rest_length(sheet, edge) / wave_speed);
+    const int material = sheet.triangle_materials[edge.triangles[0]];
+    sums[material] += rest_length(sheet, edge);
+    counts[material] += 1;
   }
-  return static_cast<int>(std::ceil(step / largest_substep - 1e-9));
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= std::max(counts[i], 1.0);
+  return sums;
+}
+
+int elastic_substeps(const Sheet& sheet, double step) {
+  constexpr double edges_crossed = 5, bending_phase = 0.1;
+  const std::vector<double> lengths = mean_edge_lengths(sheet);
+  double largest = step;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    const ElasticMaterial& material = sheet.materials[i];
+    const auto stiffest = [](const std::array<double, 2>& pair) { return std::max(pair[0], pair[1]); };
+    const double wave_speed = std::sqrt(stiffest(material.stretch_stiffness) / material.density);
+    const double bending_rate = std::sqrt(stiffest(material.bend_stiffness) / material.density) / (lengths[i] * lengths[i]);
+    largest = std::min({largest, edges_crossed * lengths[i] / wave_speed, bending_phase / bending_rate});
+  }
+  return static_cast<int>(std::ceil(step / largest - 1e-9));
 }
 
 ElasticModel build_elastic_model(const Sheet& sheet, const std::vector<double>& masses,
