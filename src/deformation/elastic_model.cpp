@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "deformation/membrane_material.h"
 
@@ -64,41 +65,40 @@ static std::vector<double> mean_edge_lengths(const Sheet& sheet) {
   return sums;
 }
 
-int elastic_substeps(const Sheet& sheet, double step) {
+double longest_elastic_step(const Sheet& sheet) {
   constexpr double edges_crossed = 5, bending_phase = 0.1;
   const std::vector<double> lengths = mean_edge_lengths(sheet);
-  double largest = step;
+  double longest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     const ElasticMaterial& material = sheet.materials[i];
-    const auto stiffest = [](const std::array<double, 2>& pair) { return std::max(pair[0], pair[1]); };
-    const double wave_speed = std::sqrt(stiffest(material.stretch_stiffness) / material.density);
-    const double bending_rate = std::sqrt(stiffest(material.bend_stiffness) / material.density) / (lengths[i] * lengths[i]);
-    largest = std::min({largest, edges_crossed * lengths[i] / wave_speed, bending_phase / bending_rate});
+    const auto speed = [&](const std::array<double, 2>& stiffness) {
+      return std::sqrt(std::max(stiffness[0], stiffness[1]) / material.density);
+    };
+    longest = std::min({longest, edges_crossed * lengths[i] / speed(material.stretch_stiffness),
+                        bending_phase * lengths[i] * lengths[i] / speed(material.bend_stiffness)});
   }
-  return static_cast<int>(std::ceil(step / largest - 1e-9));
+  return longest;
 }
 
 ElasticModel build_elastic_model(const Sheet& sheet, const std::vector<double>& masses,
-                                 const std::vector<char>& pinned, double gravity, double step, int substeps) {
+                                 const std::vector<char>& pinned, double gravity, double step) {
   std::vector<double> weights = masses, inverse_masses(masses.size());
   for (std::size_t v = 0; v < masses.size(); ++v) {
     if (pinned[v]) weights[v] *= 1e4;
     inverse_masses[v] = pinned[v] ? 0 : 1 / masses[v];
   }
-  const double substep = step / substeps;
   const std::vector<int> patches = vertex_patches(sheet.rest_positions, largest_patch);
   const Membrane membrane = split_membrane(sheet, weights);
   ElasticModel model;
   model.step = step;
-  model.substeps = substeps;
-  const std::vector<double> pull_durations(sheet.materials.size(), substep * substep);
+  const std::vector<double> pull_durations(sheet.materials.size(), step * step);
   model.bending = build_bending(sheet, patches, inverse_masses, {pull_durations, true});
   model.bending_damping =
       build_bending(sheet, patches, inverse_masses, {damping_times_step(sheet, step), false});
-  model.membrane = build_membrane(sheet, patches, weights, inverse_masses, {membrane.left, substep * substep});
+  model.membrane = build_membrane(sheet, patches, weights, inverse_masses, {membrane.left, step * step});
   model.membrane_damping =
       build_membrane(sheet, patches, weights, inverse_masses, {damped_tensors(sheet, membrane.whole), step});
-  model.fibres = build_fibres(sheet, membrane.bars, substep);
+  model.fibres = build_fibres(sheet, membrane.bars, step);
   model.tethers = build_tethers(sheet, masses, pinned, gravity);
   for (const double inverse_mass : inverse_masses)
     model.inverse_masses.push_back({0, 0, 0, static_cast<float>(inverse_mass)});
@@ -132,12 +132,12 @@ void damp(const ElasticModel& model, ElasticScratch& scratch) {
   damp_membrane(model.membrane_damping, scratch.membrane_base, scratch.velocities);
 }
 
-// Pinned points take equal parts of their way.
+// Pinned points are where their pins take them.
 void move_pinned(const ElasticModel& model, const std::vector<Vec3>& start, const std::vector<Vec3>& positions,
-                 double share, ElasticScratch& scratch) {
+                 ElasticScratch& scratch) {
   for (std::size_t v = 0; v < start.size(); ++v) {
     if (model.inverse_masses[v].w > 0) continue;
-    const Vec3 way = share * (positions[v] - start[v]);
+    const Vec3 way = positions[v] - start[v];
     scratch.offsets[v] = {static_cast<float>(way.x()), static_cast<float>(way.y()), static_cast<float>(way.z()), 0};
   }
 }
@@ -159,7 +159,7 @@ void unload(const ElasticModel& model, const std::vector<Vec3>& start, const Ela
 }  // namespace
 
 void predict_offsets(const ElasticModel& model, ElasticScratch& scratch) {
-  const auto step = static_cast<float>(model.step / model.substeps);
+  const auto step = static_cast<float>(model.step);
   scratch.before.resize(scratch.offsets.size());
   parallel_for_each(scratch.offsets.size(), points_a_block, [&](std::size_t v) {
     Point4 &x = scratch.offsets[v], &u = scratch.velocities[v];
@@ -178,7 +178,7 @@ void pull_to_goals(const ElasticModel& model, ElasticScratch& scratch) {
 }
 
 void update_velocities(const ElasticModel& model, ElasticScratch& scratch) {
-  const auto rate = static_cast<float>(model.substeps / model.step);
+  const auto rate = static_cast<float>(1 / model.step);
   parallel_for_each(scratch.offsets.size(), points_a_block, [&](std::size_t v) {
     const Point4 &x = scratch.offsets[v], &b = scratch.before[v];
     Point4& u = scratch.velocities[v];
@@ -192,12 +192,10 @@ void advance_elastic(const ElasticModel& model, const std::vector<Vec3>& acceler
   load_vectors(model, velocities, scratch.velocities);
   load_vectors(model, accelerations, scratch.accelerations);
   damp(model, scratch);
-  for (int substep = 1; substep <= model.substeps; ++substep) {
-    predict_offsets(model, scratch);
-    move_pinned(model, start, positions, static_cast<double>(substep) / model.substeps, scratch);
-    pull_to_goals(model, scratch);
-    update_velocities(model, scratch);
-  }
+  predict_offsets(model, scratch);
+  move_pinned(model, start, positions, scratch);
+  pull_to_goals(model, scratch);
+  update_velocities(model, scratch);
   unload(model, start, scratch, positions, velocities);
 }
 

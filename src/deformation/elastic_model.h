@@ -19,18 +19,17 @@ struct ElasticModel {
   BendingStage bending_damping;
   MembraneStage membrane_damping;
   std::vector<Point4> inverse_masses;  // w: 1/kg, 0 where pinned; x, y, z are 0. Fillers follow the vertices
-  double step = 0;                     // seconds: what a simulation calls a step
-  int substeps = 1;                    // equal parts of it in which the elastic pulls are made
+  double step = 0;                     // seconds
 };
 
-// The substeps that the materials want. What one sweep leaves undone grows with the square of the substep, counted in
-// what a wave does in it: of stretch, sqrt(k / rho) h / l edges crossed (fibres carry far, so a few do no harm); of
-// bending at the scale of the mesh, the phase sqrt(B / rho) h / l2. `./dev bench convergence` shows what is left.
-int elastic_substeps(const Sheet& sheet, double step);
+// The longest step that the materials of a sheet want, in seconds. What one sweep leaves undone grows with the square
+// of the step, counted in what a wave does in it: of stretch, sqrt(k / rho) h / l edges crossed (fibres carry far, so
+// a few do no harm); of bending at the scale of the mesh, the phase sqrt(B / rho) h / l2.
+double longest_elastic_step(const Sheet& sheet);
 
 // Pinned points weigh 1e4 times their mass where rotations are matched, so that triangles turn about them.
 ElasticModel build_elastic_model(const Sheet& sheet, const std::vector<double>& masses,
-                                 const std::vector<char>& pinned, double gravity, double step, int substeps);
+                                 const std::vector<char>& pinned, double gravity, double step);
 
 // What a step works in. Positions are offsets in float from where the step starts: seven digits of how far a point
 // moves in a step, not of where it is.
@@ -46,7 +45,7 @@ struct ElasticScratch {
 void advance_elastic(const ElasticModel& model, const std::vector<Vec3>& accelerations, const std::vector<Vec3>& start,
                      ElasticScratch& scratch, std::vector<Vec3>& positions, std::vector<Vec3>& velocities);
 
-// The verbs of one substep, for benchmarks and for the scalar twin in the tests.
+// The verbs of a step, for benchmarks and for the scalar twin in the tests.
 void load_elastic(const ElasticModel& model, const std::vector<Vec3>& start, ElasticScratch& scratch);
 void predict_offsets(const ElasticModel& model, ElasticScratch& scratch);
 // x* -> x**: the weak and wide stages first, so that the stiff ones have the last word. Of these the fibres go

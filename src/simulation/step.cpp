@@ -25,7 +25,7 @@ void move_pins(const World& world, double time, Scratch& scratch) {
       if (world.pinned[pin.vertices[i]]) scratch.free_positions[pin.vertices[i]] = pin_position(pin, i, time);
 }
 
-// Sections 3 and 4: external forces, and x -> x** in substeps. Pieces that nothing holds keep their momenta.
+// Sections 3 and 4: external forces, and x -> x**. Pieces that nothing holds keep their momenta.
 void move_freely(const World& world, double time, const State& state, Scratch& scratch) {
   external_accelerations(world, state.positions, state.velocities, scratch.accelerations);
   scratch.free_positions = state.positions;

@@ -1,6 +1,8 @@
 #include "simulation/world.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mesh/topology.h"
 #include "simulation/colliders.h"
@@ -82,6 +84,13 @@ void build_geometry(World& world) {
   world.contact_settings = contact_settings(geometry);
 }
 
+// A layer that falls from rest on another one sinks by no more than a tenth of its thickness in a step.
+double longest_contact_step(const SimulationInput& input) {
+  double thinnest = std::numeric_limits<double>::infinity();
+  for (const ClothInput& cloth : input.cloths) thinnest = std::min(thinnest, cloth.material.thickness);
+  return std::sqrt(2 * 0.1 * thinnest / std::max(input.gravity.norm(), 1e-9));
+}
+
 std::vector<Pin> build_pins(const SimulationInput& input) {
   std::vector<Pin> pins;
   int first = 0;
@@ -135,7 +144,7 @@ std::vector<FreePiece> free_pieces(const World& world) {
 void build_pinned_parts(World& world, std::vector<char> pinned) {
   world.pinned = std::move(pinned);
   world.elastic = build_elastic_model(world.sheet, world.masses, world.pinned,
-                                      world.input.gravity.norm(), world.step, elastic_substeps(world.sheet, world.step));
+                                      world.input.gravity.norm(), world.step);
   world.geometry.inverse_masses.assign(world.geometry.vertex_body.size(), 0.0);
   for (std::size_t v = 0; v < world.masses.size(); ++v)
     if (!world.pinned[v]) world.geometry.inverse_masses[v] = 1 / world.masses[v];
@@ -147,10 +156,11 @@ void build_pinned_parts(World& world, std::vector<char> pinned) {
 World build_world(SimulationInput input) {
   World world;
   world.input = std::move(input);
-  world.steps_per_frame =
-      static_cast<int>(std::ceil(world.input.frame_duration / world.input.largest_step - 1e-9));
-  world.step = world.input.frame_duration / world.steps_per_frame;
   world.sheet = build_sheet(world.input);
+  const double longest = std::min({world.input.largest_step, longest_elastic_step(world.sheet),
+                                   longest_contact_step(world.input)});
+  world.steps_per_frame = static_cast<int>(std::ceil(world.input.frame_duration / longest - 1e-9));
+  world.step = world.input.frame_duration / world.steps_per_frame;
   world.masses = lumped_masses(world.sheet);
   world.pins = build_pins(world.input);
   build_geometry(world);
