@@ -93,6 +93,13 @@ double shadow_area(const std::vector<Vec3>& positions, const std::vector<Triangl
   return area;
 }
 
+double surface_area(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles) {
+  double area = 0;
+  for (const auto& [a, b, c] : triangles)
+    area += 0.5 * (positions[b] - positions[a]).cross(positions[c] - positions[a]).norm();
+  return area;
+}
+
 std::vector<double> shadow_outline(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles,
                                    const Vec3& centre, int directions) {
   std::vector<double> outline(directions);

@@ -12,6 +12,9 @@ namespace drape {
 // shadow is taken for linear: the error is under 0.02 % of the square that holds the shadow.
 double shadow_area(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles);
 
+// In m2, of the surface itself: that of its shadow where it lies flat.
+double surface_area(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles);
+
 // How far the shadow reaches from `centre` (its y does not matter), in metres, in `directions` directions
 // round it at equal angles, from +x towards -z; 0 where it does not cross that ray.
 std::vector<double> shadow_outline(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles,

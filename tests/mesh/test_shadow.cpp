@@ -55,6 +55,11 @@ TEST(ShadowArea, CountsOnceWhatLiesOverEachOther) {
   EXPECT_NEAR(area_of(make_sphere(0.1, 64, 32)), 0.5 * 64 * 0.01 * std::sin(2 * pi / 64), elsewhere);
 }
 
+TEST(SurfaceArea, IsTheSameHoweverThePieceHangs) {
+  const TriangleMesh hung = moved(make_grid({0.3, 0.2}, {7, 5}), {50, 10, 3}, {1, 2, 3});
+  EXPECT_NEAR(surface_area(hung.positions, hung.triangles), 0.06, 1e-15);
+}
+
 TEST(ShadowArea, IsNothingForNothing) {
   EXPECT_EQ(shadow_area({}, {}), 0);
   EXPECT_EQ(shadow_area({Vec3::Zero(), Vec3::UnitX(), Vec3::UnitX()}, {{0, 1, 2}}), 0);
