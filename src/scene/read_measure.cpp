@@ -62,7 +62,9 @@ void read_measure(const Section& scene, SceneDescription& description) {
   const auto cloth = read_name_of(drape, "cloth", description.cloths, scene, "cloths");
   const auto support = read_name_of(drape, "support", description.colliders, scene, "colliders");
   if (!support || !check_support(drape, description.colliders[*support]) || !cloth) return;
-  check_cloth(drape, description.cloths[*cloth], description.colliders[*support]);
+  // A size that was refused has its default here, of which there is nothing to say.
+  if (scene.problems->empty())
+    check_cloth(drape, description.cloths[*cloth], description.colliders[*support]);
   description.drape_test = DrapeTest{*cloth, *support};
 }
 
