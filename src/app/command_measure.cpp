@@ -10,7 +10,7 @@ namespace drape::app {
 
 // A cloth that still swings has no drape yet. The test on the table is read off when nothing moves to the
 // eye.
-static constexpr double speed_at_rest = 0.01;  // m/s
+static constexpr double speed_at_rest = 0.02;  // m/s
 
 static void warn_where_it_moves(const Run& run, int frame, const Console& console) {
   const auto record = run.manifest.frames.find(frame);
