@@ -18,6 +18,9 @@ struct MeshOf {
     return make_sphere(sphere.radius, segments, rings);
   }
   TriangleMesh operator()(const BoxShape& box) const { return make_box(box.size); }
+  TriangleMesh operator()(const CylinderShape& cylinder) const {
+    return make_cylinder(cylinder.radius, cylinder.height, cylinder_segments);
+  }
   TriangleMesh operator()(const CapsuleShape& capsule) const {
     const Vec3 half(0, capsule.length / 2, 0);
     return make_capsule(-half, half, capsule.radius, segments, rings);

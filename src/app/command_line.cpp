@@ -201,6 +201,16 @@ static void add_export(Subcommands& commands, Options& options) {
   command.add_flag("--colliders", options.with_colliders, "Also the colliders");
 }
 
+static void add_measure(Subcommands& commands, Options& options) {
+  CLI::App& command =
+      commands.add(Command::measure, "measure", "What the scene's `measure` asks for, from the cache",
+                   "drape measure out/cusick --json");
+  add_scenes(command, options, "A scene file, or the folder of an earlier run", false);
+  add_scene_flags(command, options);
+  add_frames(command, options, "The frame; the last by default");
+  command.add_flag("--json", options.as_json, "One JSON object in place of a line for each figure");
+}
+
 static void add_diff(Subcommands& commands, Options& options) {
   CLI::App& command = commands.add(Command::diff, "diff", "Compare two pictures, or two folders of pictures",
                                    "drape diff out/a/frames out/b/frames --heat out/heat");
@@ -230,6 +240,7 @@ static void add_subcommands(Subcommands& commands, Options& options) {
   add_still(commands, options);
   add_validate_and_info(commands, options);
   add_export(commands, options);
+  add_measure(commands, options);
   add_diff(commands, options);
 }
 

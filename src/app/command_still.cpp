@@ -4,19 +4,12 @@
 #include "app/exit_status.h"
 #include "app/render_frames.h"
 #include "app/run.h"
-#include "core/error.h"
 #include "render/png_file.h"
 
 namespace drape::app {
 
-// Here -o names the picture, so the run is the input's own.
-static int only_frame(const Run& run, const Options& options) {
-  const auto frames = chosen_frames(run, options);
-  if (options.frames.empty() || frames.size() != 1) throw InputError({{"", 0, 0, "name one frame: -f 60"}});
-  return frames.front();
-}
-
 int still_command(const Options& options, const Console&) {
+  // Here -o names the picture, so the run is the input's own.
   const Run run = open_run(options.inputs.front(), options.overrides, "");
   const int frame = only_frame(run, options);
   std::filesystem::path target = options.output;

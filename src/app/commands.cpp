@@ -53,6 +53,8 @@ int perform(const Options& options, const Console& console) {
       return info_command(options, console);
     case Command::export_geometry:
       return export_command(options, console);
+    case Command::measure:
+      return measure_command(options, console);
     case Command::diff:
       return diff_command(options, console);
   }

@@ -13,6 +13,7 @@ int still_command(const Options& options, const Console& console);
 int validate_command(const Options& options, const Console& console);
 int info_command(const Options& options, const Console& console);
 int export_command(const Options& options, const Console& console);
+int measure_command(const Options& options, const Console& console);
 int diff_command(const Options& options, const Console& console);
 
 }  // namespace drape::app

@@ -5,7 +5,7 @@
 
 namespace drape::app {
 
-enum class Command { run, simulate, render, encode, still, validate, info, export_geometry, diff };
+enum class Command { run, simulate, render, encode, still, validate, info, export_geometry, measure, diff };
 enum class ProgressStyle { automatic, bar, lines, json, none };
 enum class UseColor { automatic, always, never };
 enum class GeometryFormat { obj, ply };
@@ -39,6 +39,7 @@ struct Options {
   std::string statistics_file;  // empty: none
   GeometryFormat format = GeometryFormat::obj;
   bool with_colliders = false;
+  bool as_json = false;  // results for programs
   DiffOptions diff;
 };
 

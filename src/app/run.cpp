@@ -98,4 +98,10 @@ std::vector<int> chosen_frames(const Run& run, const Options& options) {
   return frames_of_chunk(frames, options.chunk);
 }
 
+int only_frame(const Run& run, const Options& options) {
+  const auto frames = chosen_frames(run, options);
+  if (options.frames.empty() || frames.size() != 1) throw InputError({{"", 0, 0, "name one frame: -f 60"}});
+  return frames.front();
+}
+
 }  // namespace drape::app

@@ -41,4 +41,7 @@ void update_record(const Run& run);
 // The frames that -f and --chunk ask for.
 std::vector<int> chosen_frames(const Run& run, const Options& options);
 
+// The one frame that -f names. Throws InputError where it names none or several.
+int only_frame(const Run& run, const Options& options);
+
 }  // namespace drape::app

@@ -110,6 +110,13 @@ TriangleMesh make_capsule(const Vec3& a, const Vec3& b, double radius, int segme
   return revolve(frame, a - radius * frame.axis, circles, b + radius * frame.axis, segments);
 }
 
+TriangleMesh make_cylinder(double radius, double height, int segments) {
+  assert(segments >= 3);
+  const Frame frame{Vec3::UnitY(), Vec3::UnitX()};
+  const Vec3 top = 0.5 * height * frame.axis;
+  return revolve(frame, -top, {{-top, radius}, {top, radius}}, top, segments);
+}
+
 TriangleMesh make_box(const Vec3& size) {
   TriangleMesh mesh;
   // Bit k of a point's number says on which side of axis k it is.

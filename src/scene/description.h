@@ -72,6 +72,12 @@ struct RenderDescription {
   render::Color backdrop{0.86f, 0.87f, 0.89f};
 };
 
+// Cusick's drape test: a piece of cloth hangs over the edge of a round table.
+struct DrapeTest {
+  int cloth = 0;    // of the scene's cloths; its area is larger than that of the support's end
+  int support = 0;  // of the scene's colliders; its shape is a CylinderShape
+};
+
 struct SceneDescription {
   std::string file;  // as the user named it
   std::string name;  // one line without /, at most 100 bytes
@@ -82,6 +88,7 @@ struct SceneDescription {
   std::vector<ClothDescription> cloths;
   std::vector<ColliderDescription> colliders;
   CameraDescription camera;
+  std::optional<DrapeTest> drape_test;
   render::Sun sun;
   render::Sky sky;
   RenderDescription render;

@@ -9,6 +9,7 @@
 #include "scene/problem_list.h"
 #include "scene/read_cloths.h"
 #include "scene/read_colliders.h"
+#include "scene/read_measure.h"
 #include "scene/read_picture.h"
 #include "scene/section.h"
 #include "scene/section_values.h"
@@ -82,6 +83,7 @@ SceneDescription read_scene(const Node& root, const std::filesystem::path& path,
   read_world(scene, description);
   description.cloths = read_cloths(scene, path.parent_path(), description.time.fps);
   description.colliders = read_colliders(scene, path.parent_path(), description.time.fps);
+  read_measure(scene, description);
   read_picture(scene, description);
   return description;
 }

@@ -10,12 +10,25 @@
 #include "scene/read_motion.h"
 #include "scene/read_pins.h"
 #include "scene/section_values.h"
+#include "scene/suggestion.h"
 
 namespace drape {
 namespace {
 
+// False, and a problem, where `count` more points are more than a scene may have.
+bool take_points(double count, const Section& shape, std::string_view key, double& points_left) {
+  if (count > points_left) {
+    shape.problems->add(find_value(shape, key)->place,
+                        fmt::format("{}: the grids and discs of a scene have at most {} points together",
+                                    path_of(shape, key), most_made_points));
+    return false;
+  }
+  points_left -= count;
+  return true;
+}
+
 // Opening a section reports what is missing in it, so what is read here is whole or already a problem.
-std::optional<TriangleMesh> read_grid(const Section& cloth, int& points_left) {
+std::optional<TriangleMesh> read_grid(const Section& cloth, double& points_left) {
   const std::size_t problems_before = cloth.problems->size();
   const Section grid = open_section(cloth, "grid");
   std::array<double, 2> size{1, 1};
@@ -23,32 +36,81 @@ std::optional<TriangleMesh> read_grid(const Section& cloth, int& points_left) {
   read_numbers(grid, "size", size);
   read_numbers(grid, "points", points);
   if (cloth.problems->size() > problems_before) return std::nullopt;
-  if (points[0] * points[1] > points_left) {
-    cloth.problems->add(find_value(grid, "points")->place,
-                        fmt::format("{}: the grids of a scene have at most {} points together",
-                                    path_of(grid, "points"), most_grid_points));
-    return std::nullopt;
-  }
-  points_left -= points[0] * points[1];
+  if (!take_points(points[0] * points[1], grid, "points", points_left)) return std::nullopt;
   return make_grid(size, points);
 }
 
+std::optional<TriangleMesh> read_disc(const Section& cloth, double& points_left) {
+  const std::size_t problems_before = cloth.problems->size();
+  const Section disc = open_section(cloth, "disc");
+  double diameter = 1, edge = 0.1;
+  read_number(disc, "diameter", diameter);
+  read_number(disc, "edge", edge);
+  if (cloth.problems->size() > problems_before) return std::nullopt;
+  if (edge > diameter / 4) {
+    cloth.problems->add(find_value(disc, "edge")->place,
+                        fmt::format("{} must be at most a quarter of the diameter, {} m, but is {} m",
+                                    path_of(disc, "edge"), diameter / 4, edge));
+    return std::nullopt;
+  }
+  if (!take_points(count_disc_points(diameter, edge), disc, "edge", points_left)) return std::nullopt;
+  return make_disc(diameter, edge);
+}
+
 std::optional<TriangleMesh> read_shape(const Section& cloth, const std::filesystem::path& scene_folder,
-                                       int& points_left) {
-  const std::string_view shape = exactly_one(cloth, "shape", {"grid", "mesh"});
+                                       double& points_left) {
+  const std::string_view shape = exactly_one(cloth, "shape", {"grid", "disc", "mesh"});
   if (shape == "grid") return read_grid(cloth, points_left);
+  if (shape == "disc") return read_disc(cloth, points_left);
   if (shape == "mesh") return read_mesh_key(cloth, scene_folder);
   return std::nullopt;
 }
 
-void read_material(const Section& cloth, ClothMaterial& material) {
-  const Section section = open_section(cloth, "material");
+void read_material_keys(const Section& section, ClothMaterial& material) {
   read_number(section, "density", material.density);
   read_number(section, "thickness", material.thickness);
   read_number(section, "stretch", material.stretch_stiffness);
   read_number(section, "bend", material.bend_stiffness);
   read_number(section, "damping", material.damping);
   read_number(section, "friction", material.friction);
+}
+
+struct NamedMaterial {
+  std::string name;
+  ClothMaterial material;
+};
+
+std::vector<NamedMaterial> read_materials(const Section& scene) {
+  std::vector<NamedMaterial> materials;
+  for (const auto& [name, section] : open_named(scene, "materials", most_materials)) {
+    materials.push_back({name, {}});
+    read_material_keys(section, materials.back().material);
+  }
+  return materials;
+}
+
+void report_unknown_material(const Section& cloth, const Node& node,
+                             const std::vector<NamedMaterial>& materials) {
+  std::vector<std::string_view> names;
+  for (const NamedMaterial& known : materials) names.push_back(known.name);
+  cloth.problems->add(
+      node.place,
+      fmt::format("{}: no material {}{}", path_of(cloth, "material"), quote(node.text),
+                  names.empty() ? ", since the scene has no `materials`: include a file that has them, as "
+                                  "materials/silk.yaml does, or give a map"
+                                : suggestion(node.text, names, "materials")));
+}
+
+// A map of its own, or the name of one of the scene's materials.
+void read_material(const Section& cloth, const std::vector<NamedMaterial>& materials,
+                   ClothMaterial& material) {
+  const Node* node = find_value(cloth, "material");
+  if (node == nullptr || node->kind != Node::Kind::scalar)
+    return read_material_keys(open_section(cloth, "material"), material);
+  const auto has_its_name = [&](const NamedMaterial& known) { return known.name == node->text; };
+  const auto found = std::find_if(materials.begin(), materials.end(), has_its_name);
+  if (found == materials.end()) return report_unknown_material(cloth, *node, materials);
+  material = found->material;
 }
 
 std::vector<Vec3> placed(const std::vector<Vec3>& points, const RigidMotion& place) {
@@ -63,7 +125,8 @@ std::vector<Vec3> placed(const std::vector<Vec3>& points, const RigidMotion& pla
 std::vector<ClothDescription> read_cloths(const Section& scene, const std::filesystem::path& scene_folder,
                                           double fps) {
   std::vector<ClothDescription> cloths;
-  int points_left = most_grid_points;
+  double points_left = most_made_points;
+  const std::vector<NamedMaterial> materials = read_materials(scene);
   const Node* node = find_value(scene, "cloths");
   if (node != nullptr && node->kind == Node::Kind::map && node->entries.empty())
     scene.problems->add(node->place, "cloths is empty: a scene needs at least one");
@@ -72,7 +135,7 @@ std::vector<ClothDescription> read_cloths(const Section& scene, const std::files
     cloth.input.name = name;
     RigidMotion place;
     read_place(section, place);
-    read_material(section, cloth.input.material);
+    read_material(section, materials, cloth.input.material);
     read_look(section, cloth.look);
     auto mesh = read_shape(section, scene_folder, points_left);
     if (!mesh) continue;

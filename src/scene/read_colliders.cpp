@@ -34,6 +34,14 @@ ColliderShape read_box(const Section& collider) {
   return box;
 }
 
+ColliderShape read_cylinder(const Section& collider) {
+  const Section section = open_section(collider, "cylinder");
+  CylinderShape cylinder{1, 1};
+  read_number(section, "radius", cylinder.radius);
+  read_number(section, "height", cylinder.height);
+  return cylinder;
+}
+
 ColliderShape read_capsule(const Section& collider) {
   const Section section = open_section(collider, "capsule");
   CapsuleShape capsule{1, 1};
@@ -45,10 +53,11 @@ ColliderShape read_capsule(const Section& collider) {
 std::optional<ColliderShape> read_shape(const Section& collider, const std::filesystem::path& scene_folder,
                                         RigidMotion& motion) {
   const std::string_view shape =
-      exactly_one(collider, "shape", {"plane", "sphere", "box", "capsule", "mesh"});
+      exactly_one(collider, "shape", {"plane", "sphere", "box", "cylinder", "capsule", "mesh"});
   if (shape == "plane") return read_plane(collider, motion);
   if (shape == "sphere") return read_sphere(collider);
   if (shape == "box") return read_box(collider);
+  if (shape == "cylinder") return read_cylinder(collider);
   if (shape == "capsule") return read_capsule(collider);
   if (shape == "mesh")
     if (auto mesh = read_mesh_key(collider, scene_folder)) return MeshShape{std::move(*mesh)};

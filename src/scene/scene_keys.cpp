@@ -10,6 +10,9 @@ using enum Quantity;
 constexpr Key section(std::string_view path, std::string_view help, std::string_view keys_under = {}) {
   return {path, KeyKind::section, help, {}, 0, {}, keys_under};
 }
+constexpr Key named(std::string_view path, std::string_view help, std::string_view keys_under) {
+  return {path, KeyKind::named, help, {}, 0, {}, keys_under};
+}
 constexpr Key of_kind(KeyKind kind, std::string_view path, std::string_view help) {
   return {path, kind, help};
 }
@@ -61,15 +64,23 @@ constexpr Key general_keys[] = {
     of_kind(KeyKind::boolean, "simulation.self_collision", "cloth against cloth"),
 };
 
+constexpr Key material_keys[] = {
+    named("materials", "by name, for cloths to name", "cloths.*.material"),
+};
+
 constexpr Key cloth_keys[] = {
     required(of_kind(KeyKind::named, "cloths", "by name")),
     section("cloths.*.grid", "a rectangle, flat, front upward, centred on its origin"),
     required(numbers("cloths.*.grid.size", 2, size, "[along x, along z]")),
     required(numbers("cloths.*.grid.points", 2, {plain, 2, 2000, true}, "[along x, along z]")),
+    section("cloths.*.disc", "in place of a grid: a round piece, flat, front upward, centred on its origin"),
+    required(number("cloths.*.disc.diameter", length, 0.001, 1000, "")),
+    required(number("cloths.*.disc.edge", length, 1e-4, 250,
+                    "of its triangles, about; at most a quarter of the diameter")),
     of_kind(KeyKind::file, "cloths.*.mesh", "in place of a grid: a surface in metres"),
     section("cloths.*.place", "where it starts", "place"),
 
-    section("cloths.*.material", "what it is made of"),
+    section("cloths.*.material", "what it is made of; or the name of one of the materials"),
     number("cloths.*.material.density", area_density, 0.001, 100, "mass per area"),
     number("cloths.*.material.thickness", length, 1e-4, 0.1, "the distance that contact keeps"),
     number("cloths.*.material.stretch", tension, 1, 1e6, "tension per width at a strain of 1"),
@@ -90,13 +101,16 @@ constexpr Key cloth_keys[] = {
 };
 
 constexpr Key collider_keys[] = {
-    of_kind(KeyKind::named, "colliders", "by name; each a plane, sphere, box, capsule or mesh"),
+    of_kind(KeyKind::named, "colliders", "by name; each a plane, sphere, box, cylinder, capsule or mesh"),
     section("colliders.*.plane", "the ground: all below it is solid"),
     number("colliders.*.plane.y", length, -1000, 1000, "its height"),
     section("colliders.*.sphere", "centred on its origin"),
     required(number("colliders.*.sphere.radius", length, 0.001, 1000, "")),
     section("colliders.*.box", "centred on its origin"),
     required(numbers("colliders.*.box.size", 3, size, "[along x, along y, along z]")),
+    section("colliders.*.cylinder", "along y, centred on its origin"),
+    required(number("colliders.*.cylinder.radius", length, 0.001, 1000, "")),
+    required(number("colliders.*.cylinder.height", length, 0.001, 1000, "")),
     section("colliders.*.capsule", "along y, centred on its origin"),
     required(number("colliders.*.capsule.radius", length, 0.001, 1000, "")),
     required(number("colliders.*.capsule.length", length, 0.001, 1000, "between the centres of its ends")),
@@ -125,6 +139,13 @@ constexpr Key shared_keys[] = {
     number("look.sheen", plain, 0, 1, "light scattered at grazing angles by fibres"),
     number("look.translucency", plain, 0, 1, "light that comes through"),
     whole("look.subdivide", 0, 3, "levels of Loop subdivision, for drawing only"),
+};
+
+constexpr Key measure_keys[] = {
+    section("measure", "what `drape measure` finds out"),
+    section("measure.drape", "Cusick's drape test"),
+    required(of_kind(KeyKind::text, "measure.drape.cloth", "the piece that is tested")),
+    required(of_kind(KeyKind::text, "measure.drape.support", "the cylinder that it lies on")),
 };
 
 constexpr Key picture_keys[] = {
@@ -161,17 +182,20 @@ constexpr Key picture_keys[] = {
 
 // The parts one after another.
 constexpr auto all_keys = [] {
-  std::array<Key, std::size(general_keys) + std::size(cloth_keys) + std::size(collider_keys) +
-                      std::size(shared_keys) + std::size(picture_keys)>
+  std::array<Key, std::size(general_keys) + std::size(material_keys) + std::size(cloth_keys) +
+                      std::size(collider_keys) + std::size(shared_keys) + std::size(measure_keys) +
+                      std::size(picture_keys)>
       keys;
   std::size_t count = 0;
   const auto append = [&](const auto& part) {
     for (const Key& key : part) keys[count++] = key;
   };
   append(general_keys);
+  append(material_keys);
   append(cloth_keys);
   append(collider_keys);
   append(shared_keys);
+  append(measure_keys);
   append(picture_keys);
   return keys;
 }();

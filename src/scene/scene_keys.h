@@ -49,14 +49,16 @@ struct Key {
   int count = 0;           // of numbers
   std::span<const std::string_view> choices = {};
   // Where a section's keys are listed, where not under its own path: sections that occur twice share a list.
+  // Of a named map: those of its sections.
   std::string_view keys_under = {};
   bool required = false;
 };
 
 inline constexpr NumberRule frame_rule = {Quantity::plain, 0, 100'000, true};
+inline constexpr int most_materials = 100;
 inline constexpr int most_cloths = 100;
 inline constexpr int most_colliders = 1000;
-inline constexpr int most_grid_points = 4'000'000;  // of all cloths together
+inline constexpr int most_made_points = 4'000'000;  // of the grids and discs of all cloths together
 
 std::span<const Key> scene_keys();
 

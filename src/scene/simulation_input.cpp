@@ -81,6 +81,7 @@ class Fingerprint {
   void add(const SphereShape& sphere) { add(sphere.radius); }
   void add(const BoxShape& box) { add(box.size); }
   void add(const CapsuleShape& capsule) { add(capsule.radius), add(capsule.length); }
+  void add(const CylinderShape& cylinder) { add(cylinder.radius), add(cylinder.height); }
   void add(const MeshShape& shape) { add(shape.mesh); }
   void add(const ColliderInput& collider) {
     add(std::uint64_t{collider.shape.index()});

@@ -19,6 +19,9 @@ struct MakePrimitives {
     return {{Vec3::Zero()}, {}, {}, sphere.radius};
   }
   ColliderPrimitives operator()(const BoxShape& box) const { return mesh_primitives(make_box(box.size)); }
+  ColliderPrimitives operator()(const CylinderShape& cylinder) const {
+    return mesh_primitives(make_cylinder(cylinder.radius, cylinder.height, cylinder_segments));
+  }
   ColliderPrimitives operator()(const CapsuleShape& capsule) const {
     const Vec3 half(0, 0.5 * capsule.length, 0);
     return {{-half, half}, {{0, 1}}, {}, capsule.radius};

@@ -45,10 +45,14 @@ struct CapsuleShape {
   double radius;
   double length;
 };  // along its own y, length between the two centres
+struct CylinderShape {
+  double radius;
+  double height;
+};  // along its own y, centred
 struct MeshShape {
   TriangleMesh mesh;
 };
-using ColliderShape = std::variant<PlaneShape, SphereShape, BoxShape, CapsuleShape, MeshShape>;
+using ColliderShape = std::variant<PlaneShape, SphereShape, BoxShape, CapsuleShape, MeshShape, CylinderShape>;
 
 struct ColliderInput {
   std::string name;

@@ -43,7 +43,7 @@ TEST(CommandLine, EachCommandHasHelpWithAnExample) {
 TEST(CommandLine, NamesTheCommandsWhereOneIsMistyped) {
   EXPECT_EQ(parse({"rnu", "a.yaml"}).error,
             "drape: error: there is no command 'rnu'; the commands are run, simulate, render, encode, still, "
-            "validate, info, export, diff\n");
+            "validate, info, export, measure, diff\n");
 }
 
 TEST(CommandLine, RefusesWhatACommandDoesNotTake) {

@@ -46,6 +46,16 @@ TEST(FrameSurfaces, SubdividesWithTextureCoordinates) {
   for (const Vec3f& normal : surfaces[0].normals) EXPECT_GT(normal.y(), 0.999f);
 }
 
+// The rim of a table is an edge: neither end shades as if it were part of the side.
+TEST(FrameSurfaces, DrawsTheEndsOfACylinderFlat) {
+  SceneDescription scene;
+  scene.colliders.resize(1);
+  scene.colliders[0].input.shape = CylinderShape{0.09, 0.01};
+  const auto surfaces = frame_surfaces(prepare_scene(scene), at_rest(scene));
+  for (const Vec3f& normal : surfaces.at(0).normals)
+    EXPECT_TRUE(std::abs(normal.y()) > 0.999f || std::abs(normal.y()) < 0.001f) << normal.transpose();
+}
+
 TEST(FrameSurfaces, LeavesOutLevelPlanesAndWhatIsInvisible) {
   SceneDescription scene;
   scene.colliders.resize(4);

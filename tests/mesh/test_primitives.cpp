@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "mesh/manifold.h"
@@ -42,6 +43,86 @@ TEST(Grid, RowsRunAlongX) {
   EXPECT_EQ(mesh.uvs[1], Vec2(0.5, 0));
   EXPECT_EQ(mesh.uvs[5], Vec2(1, 1));
   EXPECT_EQ(mesh.uv_triangles, mesh.triangles);
+}
+
+// A coarse disc, one that scenes have, and a fine one: metres, and where the area of a circle is reached to.
+struct DiscSize {
+  double edge;
+  double area_tolerance;  // of the circle's area: what the boundary's chords cut off
+};
+
+class Disc : public testing::TestWithParam<DiscSize> {
+ protected:
+  static constexpr double diameter = 0.3;
+  TriangleMesh mesh = make_disc(diameter, GetParam().edge);
+  Topology topology = build_topology(int(mesh.positions.size()), mesh.triangles);
+};
+
+TEST_P(Disc, IsOnePieceWithoutHoles) {
+  EXPECT_EQ(check_manifold(mesh), std::vector<std::string>{});
+  const auto euler = std::ptrdiff_t(mesh.positions.size() + mesh.triangles.size() - topology.edges.size());
+  EXPECT_EQ(euler, 1);
+}
+
+TEST_P(Disc, LiesFlatWithItsFrontUpAndTheAreaOfTheCircle) {
+  for (const Triangle& t : mesh.triangles) EXPECT_GT(test::area_vector(mesh, t).y(), 0);
+  const double circle = pi * diameter * diameter / 4;
+  EXPECT_LT(area(mesh), circle);
+  EXPECT_GT(area(mesh), (1 - GetParam().area_tolerance) * circle);
+}
+
+TEST_P(Disc, ItsBoundaryIsTheCircle) {
+  for (const Edge& edge : topology.edges) {
+    if (edge.triangles[1] >= 0) continue;
+    for (const int vertex : edge.vertices) EXPECT_NEAR(mesh.positions[vertex].norm(), diameter / 2, 1e-15);
+  }
+}
+
+TEST_P(Disc, ItsEdgesAreOfNearlyOneLength) {
+  for (const Edge& edge : topology.edges) {
+    const double length = (mesh.positions[edge.vertices[0]] - mesh.positions[edge.vertices[1]]).norm();
+    EXPECT_GT(length, 0.75 * GetParam().edge);
+    EXPECT_LT(length, 1.4 * GetParam().edge);
+  }
+}
+
+TEST_P(Disc, ItsPointsAreCountedBefore) {
+  EXPECT_NEAR(count_disc_points(diameter, GetParam().edge), double(mesh.positions.size()),
+              0.06 * double(mesh.positions.size()));
+}
+
+TEST_P(Disc, ItsTextureIsItsPlan) {
+  EXPECT_EQ(mesh.uvs.front(), Vec2(0.5, 0.5));
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+    EXPECT_NEAR((Vec2(mesh.positions[i].x(), mesh.positions[i].z()) / diameter - mesh.uvs[i]).x(), -0.5,
+                1e-15);
+  EXPECT_EQ(mesh.uv_triangles, mesh.triangles);
+}
+
+INSTANTIATE_TEST_SUITE_P(Edges, Disc,
+                         testing::Values(DiscSize{0.03, 0.01}, DiscSize{0.005, 2e-4}, DiscSize{0.002, 4e-5}));
+
+TEST(CoarsestDisc, IsOnePieceToo) {
+  const TriangleMesh mesh = make_disc(1, 0.25);
+  EXPECT_EQ(check_manifold(mesh), std::vector<std::string>{});
+  EXPECT_GT(area(mesh), 0.9 * pi / 4);
+}
+
+TEST(Cylinder, ClosedAndOutward) {
+  const TriangleMesh mesh = make_cylinder(0.5, 3, 96);
+  expect_closed(mesh);
+  EXPECT_EQ(mesh.positions.size(), 2 * 96 + 2u);
+  const double base = 0.5 * 96 * 0.25 * std::sin(2 * pi / 96);
+  EXPECT_NEAR(volume(mesh), 3 * base, 1e-12);
+  EXPECT_NEAR(area(mesh), 2 * base + 3 * 96 * std::sin(pi / 96), 1e-12);
+}
+
+TEST(Cylinder, StandsAlongYWithFlatEnds) {
+  for (const Vec3& p : make_cylinder(2, 1, 5).positions) {
+    EXPECT_EQ(std::abs(p.y()), 0.5);
+    const double from_axis = std::hypot(p.x(), p.z());
+    EXPECT_NEAR(from_axis, from_axis > 0 ? 2 : 0, 1e-14);
+  }
 }
 
 TEST(Box, ClosedAndOutward) {

@@ -34,6 +34,9 @@ TEST(Fingerprint, ChangesWithAllThatTheMotionDependsOn) {
                                             "colliders={}",
                                             "colliders.c.sphere.radius=2",
                                             "colliders.c={box: {size: [1, 1, 1]}}",
+                                            "colliders.c={cylinder: {radius: 1, height: 1}}",
+                                            "colliders.c={cylinder: {radius: 1, height: 2}}",
+                                            "colliders.c={cylinder: {radius: 2, height: 1}}",
                                             "colliders.c.friction=0.5",
                                             "colliders.c.place.rotate=[0, 0, 1]",
                                             "colliders.c.animate.translate=[[0, [0, 0, 0]], [1, [0, 1, 0]]]"};

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "mesh/primitives.h"
 #include "scene/scene_text.h"
 
 namespace drape {
@@ -31,6 +32,14 @@ TEST(Load, PlacesTheStartAndNotTheRestShape) {
   const ClothInput cloth = cloth_with("place: {at: [0, 5, 0], rotate: [90, 0, 0]}");
   EXPECT_EQ(cloth.mesh.positions[0], Vec3(-1, 0, -1));
   EXPECT_EQ(cloth.start_positions[0], Vec3(-1, 6, 0));  // what was -z is up
+}
+
+TEST(Load, ReadsARoundPiece) {
+  const auto scene =
+      load_text("version: 1\ncloths: {a: {disc: {diameter: 30 cm, edge: 2 cm}, pins: [{corner: [+x]}]}}\n");
+  const ClothInput& cloth = scene.cloths.at(0).input;
+  EXPECT_EQ(cloth.mesh.triangles, make_disc(0.3, 0.02).triangles);
+  EXPECT_NEAR(cloth.mesh.positions.at(cloth.pins.at(0).vertices.at(0)).x(), 0.15, 1e-3);
 }
 
 TEST(Load, FindsTheCornerOfTheShapeBeforeItIsPlaced) {
@@ -64,6 +73,10 @@ TEST(Load, ReadsEveryShape) {
   EXPECT_EQ(collider_with("plane: {y: 2}").motion.at.y(), 2);
   EXPECT_EQ(std::get<SphereShape>(collider_with("sphere: {radius: 30 cm}").shape).radius, 0.3);
   EXPECT_EQ(std::get<BoxShape>(collider_with("box: {size: [1, 2, 3]}").shape).size, Vec3(1, 2, 3));
+  const auto cylinder =
+      std::get<CylinderShape>(collider_with("cylinder: {radius: 9 cm, height: 2 cm}").shape);
+  EXPECT_EQ(cylinder.radius, 0.09);
+  EXPECT_EQ(cylinder.height, 0.02);
   const auto capsule = std::get<CapsuleShape>(collider_with("capsule: {radius: 1, length: 4}").shape);
   EXPECT_EQ(capsule.radius, 1);
   EXPECT_EQ(capsule.length, 4);

@@ -28,7 +28,7 @@ TEST(Override, IsCheckedLikeTheFile) {
   EXPECT_EQ(errors_of(smallest_scene, {"time.stp=1"}),
             "-D time.stp=1: error: unknown key `stp` in time; did you mean `step`?");
   EXPECT_EQ(errors_of(smallest_scene, {"cloths.b.material.friction=1"}),
-            "-D cloths.b.material.friction=1: error: cloths.b has no shape: give one of grid, mesh");
+            "-D cloths.b.material.friction=1: error: cloths.b has no shape: give one of grid, disc, mesh");
 }
 
 TEST(Override, MustBeAKeyAndAValue) {
@@ -49,7 +49,7 @@ TEST(Override, ProblemsComeAfterThoseOfTheFile) {
   EXPECT_EQ(
       errors_of(smallest_scene + "x: 1\n", {"time.fps=0"}),
       "scene.yaml:3:1: error: unknown key `x` in the scene; known keys: version, name, vars, include, time, "
-      "simulation, cloths, colliders, camera, lights, render\n"
+      "simulation, materials, cloths, colliders, measure, camera, lights, render\n"
       "-D time.fps=0: error: time.fps must be from 1 to 1000, but is `0`");
 }
 

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <numbers>
 
 #include "mesh/manifold.h"
+#include "mesh/shadow.h"
 #include "scene/load.h"
 
 namespace drape {
@@ -38,6 +40,37 @@ TEST(Scenes, SphereDrapeHasItsTriangles) {
 TEST(Scenes, FlagIsHeldAlongItsHoist) {
   const auto scene = load_scene(scenes_folder() / "flag.yaml");
   EXPECT_EQ(scene.cloths.at(0).input.pins.at(0).vertices.size(), 41u);
+}
+
+// BS 5058: a piece of 30 cm on a disc of 18 cm.
+TEST(Scenes, CusickIsTheTestOfTheStandard) {
+  const auto scene = load_scene(scenes_folder() / "cusick.yaml");
+  const DrapeTest test = scene.drape_test.value();
+  const ClothInput& fabric = scene.cloths.at(test.cloth).input;
+  const ColliderInput& table = scene.colliders.at(test.support).input;
+  const double radius = std::get<CylinderShape>(table.shape).radius;
+  EXPECT_EQ(radius, 0.09);
+  EXPECT_NEAR(surface_area(fabric.mesh.positions, fabric.mesh.triangles), std::numbers::pi * 0.15 * 0.15,
+              2e-5);
+
+  std::size_t held = 0;
+  for (const PinInput& pin : fabric.pins) {
+    held += pin.vertices.size();
+    for (const int vertex : pin.vertices) EXPECT_LT(fabric.mesh.positions[vertex].norm(), radius);
+  }
+  std::size_t on_table = 0;
+  for (const Vec3& p : fabric.mesh.positions) on_table += p.norm() < radius;
+  EXPECT_GT(double(held), 0.85 * double(on_table));
+}
+
+TEST(Scenes, CusickKnowsEveryMaterial) {
+  int files = 0;
+  for (const auto& entry : fs::directory_iterator(scenes_folder() / "materials")) {
+    const std::string override_text = "cloths.fabric.material=" + entry.path().stem().string();
+    EXPECT_NO_THROW(load_scene(scenes_folder() / "cusick.yaml", {override_text})) << override_text;
+    ++files;
+  }
+  EXPECT_GE(files, 6);
 }
 
 }  // namespace drape

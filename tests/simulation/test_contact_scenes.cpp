@@ -70,6 +70,26 @@ TEST(ContactScenes, TwoLayersLieOnEachOther) {
   EXPECT_EQ(intersecting_pairs(simulation), 0);
 }
 
+TEST(ContactScenes, ARoundTableHoldsWhatLiesOnItAndLetsTheRestHang) {
+  SimulationInput input = simulate_alone(sheet(0.3, 16, 0.006));
+  ColliderInput table{"table", CylinderShape{0.1, 0.02}, {}, 0.3};
+  table.motion.at = Vec3(0, -0.01, 0);
+  input.colliders.push_back(table);
+  Simulation simulation(input);
+  advance(simulation, 20);
+  for (const Vec3& p : simulation.state().positions) {
+    const double from_axis = std::hypot(p.x(), p.z());
+    if (from_axis < 0.1) {
+      EXPECT_GT(p.y(), 0);
+    }
+    if (from_axis < 0.06) {
+      EXPECT_LT(p.y(), 0.01);  // bending lifts the middle a little
+    }
+  }
+  EXPECT_LT(lowest_point(simulation), -0.03);
+  EXPECT_EQ(intersecting_pairs(simulation), 0);
+}
+
 TEST(ContactScenes, ABoxThatComesDownOnClothStopsAtItRatherThanPassThrough) {
   SimulationInput input = simulate_alone(sheet(0.3, 12, 0.006));
   input.colliders.push_back(ground());
