@@ -66,12 +66,23 @@ std::optional<TriangleMesh> read_shape(const Section& cloth, const std::filesyst
   return std::nullopt;
 }
 
+void read_warp(const Section& section, Vec3& warp) {
+  read_numbers(section, "warp", warp);
+  if (warp.isZero(0))
+    section.problems->add(find_value(section, "warp")->place,
+                          fmt::format("{} is a direction, and must not be [0, 0, 0]", path_of(section, "warp")));
+}
+
 void read_material_keys(const Section& section, ClothMaterial& material) {
-  read_number(section, "density", material.density);
+  read_number(section, "density", material.elastic.density);
   read_number(section, "thickness", material.thickness);
-  read_number(section, "stretch", material.stretch_stiffness);
-  read_number(section, "bend", material.bend_stiffness);
-  read_number(section, "damping", material.damping);
+  read_pair(section, "stretch", material.elastic.stretch_stiffness);
+  read_number(section, "shear", material.elastic.shear_stiffness);
+  read_number(section, "poisson", material.elastic.poisson_ratio);
+  read_pair(section, "bend", material.elastic.bend_stiffness);
+  read_warp(section, material.warp);
+  read_number(section, "damping", material.elastic.damping);
+  read_number(section, "strain_limit", material.elastic.strain_limit);
   read_number(section, "friction", material.friction);
 }
 

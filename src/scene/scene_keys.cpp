@@ -26,6 +26,10 @@ constexpr Key whole(std::string_view path, double least, double greatest, std::s
 constexpr Key numbers(std::string_view path, int count, NumberRule rule, std::string_view help) {
   return {path, KeyKind::numbers, help, rule, count};
 }
+constexpr Key pair(std::string_view path, Quantity quantity, double least, double greatest,
+                   std::string_view help) {
+  return {path, KeyKind::pair, help, {quantity, least, greatest, false}, 2};
+}
 constexpr Key choice(std::string_view path, std::span<const std::string_view> choices,
                      std::string_view help) {
   return {path, KeyKind::choice, help, {}, 0, choices};
@@ -83,9 +87,13 @@ constexpr Key cloth_keys[] = {
     section("cloths.*.material", "what it is made of; or the name of one of the materials"),
     number("cloths.*.material.density", area_density, 0.001, 100, "mass per area"),
     number("cloths.*.material.thickness", length, 1e-4, 0.1, "the distance that contact keeps"),
-    number("cloths.*.material.stretch", tension, 1, 1e6, "tension per width at a strain of 1"),
-    number("cloths.*.material.bend", flexural_rigidity, 0, 1, "flexural rigidity"),
-    number("cloths.*.material.damping", rate, 0, 1000, "the rate at which bending motion dies"),
+    pair("cloths.*.material.stretch", tension, 1, 1e6, "[warp, weft]: tension per width at a strain of 1"),
+    number("cloths.*.material.shear", tension, 0.1, 1e6, "shear force per width at an angle of 1 rad"),
+    number("cloths.*.material.poisson", plain, -0.9, 0.9, "contraction across, over the strain along"),
+    pair("cloths.*.material.bend", flexural_rigidity, 0, 1, "[warp, weft]: flexural rigidity"),
+    numbers("cloths.*.material.warp", 3, {plain, -1000, 1000}, "[x, y, z]: its direction in the unplaced shape"),
+    number("cloths.*.material.damping", time, 0, 10, "stress at a rate of strain, over that at the strain"),
+    number("cloths.*.material.strain_limit", plain, 0, 10, "no edge stretches by more; 0: no limit"),
     number("cloths.*.material.friction", plain, 0, 10, "Coulomb's coefficient"),
 
     of_kind(KeyKind::list, "cloths.*.pins", "vertices that are held; each by corner, box or vertices"),

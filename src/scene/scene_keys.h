@@ -24,6 +24,7 @@ enum class KeyKind {
   choice,           // one of a few words
   color,            // "#rrggbb", "#rgb" or [r, g, b] from 0 to 1
   numbers,          // a list of `count` numbers
+  pair,             // a list of two numbers, or one that is both
   indices,          // a list of whole numbers
   axis_signs,       // a list of -x, +x, -y, +y, -z, +z
   frame_range,      // "first-last", or a count

@@ -95,6 +95,14 @@ void read_numbers(const Section& section, std::string_view name, std::array<int,
   read_several(section, name, value);
 }
 
+void read_pair(const Section& section, std::string_view name, std::array<double, 2>& value) {
+  const Node* node = find_value(section, name);
+  if (node == nullptr) return;
+  if (node->kind == Node::Kind::sequence) return read_several(section, name, value);
+  read_one(section, name, value[0]);
+  value[1] = value[0];
+}
+
 void read_boolean(const Section& section, std::string_view name, bool& value) {
   const Node* node = find_value(section, name);
   if (node == nullptr) return;

@@ -22,6 +22,8 @@ void read_text(const Section& section, std::string_view name, std::string& value
 void read_numbers(const Section& section, std::string_view name, Vec3& value);
 void read_numbers(const Section& section, std::string_view name, std::array<double, 2>& value);
 void read_numbers(const Section& section, std::string_view name, std::array<int, 2>& value);
+// One number for both, or two.
+void read_pair(const Section& section, std::string_view name, std::array<double, 2>& value);
 void read_color(const Section& section, std::string_view name, render::Color& value);
 
 // The place of the key's word in the table's list of choices.

@@ -19,7 +19,7 @@ namespace {
 
 // Part of every fingerprint. To be counted up with each change that makes the same scene move in another way,
 // or that adds a value to the fingerprint: what is in a cache from before is then not taken for the scene's.
-constexpr std::uint64_t fingerprint_version = 1;
+constexpr std::uint64_t fingerprint_version = 2;
 
 // Numbers go in as their bytes, lists after their length, so that no two scenes run together.
 class Fingerprint {
@@ -59,9 +59,13 @@ class Fingerprint {
     for (const Track& track : motion.turn) add(track);
   }
   void add(const ClothMaterial& material) {
-    for (const double value : {material.density, material.thickness, material.stretch_stiffness,
-                               material.bend_stiffness, material.damping, material.friction})
+    const ElasticMaterial& elastic = material.elastic;
+    for (const double value :
+         {elastic.density, elastic.stretch_stiffness[0], elastic.stretch_stiffness[1], elastic.shear_stiffness,
+          elastic.poisson_ratio, elastic.bend_stiffness[0], elastic.bend_stiffness[1], elastic.damping,
+          elastic.strain_limit, material.thickness, material.friction})
       add(value);
+    add(material.warp);
   }
   void add(const PinInput& pin) {
     add(pin.vertices);

@@ -21,7 +21,7 @@ TEST(Include, SharesVariables) {
   folder.write("fabrics.yaml", "vars: {silk: {density: 60 g/m2}}\n");
   const auto scene = load_scene(folder.write("scene.yaml", "include: [fabrics.yaml]\n" + smallest_scene),
                                 {"cloths.a.material=${silk}"});
-  EXPECT_EQ(scene.cloths[0].input.material.density, 0.06);
+  EXPECT_EQ(scene.cloths[0].input.material.elastic.density, 0.06);
 }
 
 TEST(Include, PlacesProblemsInTheFileThatHasThem) {

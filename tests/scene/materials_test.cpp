@@ -16,11 +16,11 @@ static ClothMaterial material_of(const std::string& text, const std::vector<std:
 TEST(Materials, AreTakenByName) {
   const std::string text =
       scene_of("silk") + "materials: {silk: {density: 60 g/m2, friction: 0.2}, denim: {density: 0.4}}\n";
-  EXPECT_EQ(material_of(text).density, 0.06);
+  EXPECT_EQ(material_of(text).elastic.density, 0.06);
   EXPECT_EQ(material_of(text).friction, 0.2);
-  EXPECT_EQ(material_of(text).bend_stiffness, ClothMaterial().bend_stiffness);
-  EXPECT_EQ(material_of(text, {"cloths.a.material=denim"}).density, 0.4);
-  EXPECT_EQ(material_of(text, {"materials.silk.density=70 g/m2"}).density, 0.07);
+  EXPECT_EQ(material_of(text).elastic.bend_stiffness, ClothMaterial().elastic.bend_stiffness);
+  EXPECT_EQ(material_of(text, {"cloths.a.material=denim"}).elastic.density, 0.4);
+  EXPECT_EQ(material_of(text, {"materials.silk.density=70 g/m2"}).elastic.density, 0.07);
 }
 
 TEST(Materials, ComeFromAFileThatTheSceneCanChange) {
@@ -28,7 +28,7 @@ TEST(Materials, ComeFromAFileThatTheSceneCanChange) {
   folder.write("silk.yaml", "materials: {silk: {density: 60 g/m2, friction: 0.2}}\n");
   const auto scene = load_scene(folder.write(
       "scene.yaml", "include: [silk.yaml]\nmaterials: {silk: {friction: 0.5}}\n" + scene_of("silk")));
-  EXPECT_EQ(scene.cloths.at(0).input.material.density, 0.06);
+  EXPECT_EQ(scene.cloths.at(0).input.material.elastic.density, 0.06);
   EXPECT_EQ(scene.cloths.at(0).input.material.friction, 0.5);
 }
 

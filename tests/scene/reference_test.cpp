@@ -75,11 +75,15 @@ TEST(Reference, HasTheDefaultsOfTheSimulation) {
 
 TEST(Reference, HasTheDefaultsOfMaterials) {
   const ClothMaterial material = load_scene(reference_file()).cloths.at(0).input.material, standard;
-  EXPECT_EQ(material.density, standard.density);
+  EXPECT_EQ(material.elastic.density, standard.elastic.density);
+  EXPECT_EQ(material.elastic.stretch_stiffness, standard.elastic.stretch_stiffness);
+  EXPECT_EQ(material.elastic.shear_stiffness, standard.elastic.shear_stiffness);
+  EXPECT_EQ(material.elastic.poisson_ratio, standard.elastic.poisson_ratio);
+  EXPECT_EQ(material.elastic.bend_stiffness, standard.elastic.bend_stiffness);
+  EXPECT_EQ(material.elastic.damping, standard.elastic.damping);
+  EXPECT_EQ(material.elastic.strain_limit, standard.elastic.strain_limit);
+  EXPECT_EQ(material.warp, standard.warp);
   EXPECT_EQ(material.thickness, standard.thickness);
-  EXPECT_EQ(material.stretch_stiffness, standard.stretch_stiffness);
-  EXPECT_EQ(material.bend_stiffness, standard.bend_stiffness);
-  EXPECT_EQ(material.damping, standard.damping);
   EXPECT_EQ(material.friction, standard.friction);
 }
 

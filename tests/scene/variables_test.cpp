@@ -15,7 +15,7 @@ TEST(Variables, StandForAnyValue) {
       "cloths: {a: {grid: {size: [1, 1], points: [\"${n}\", 3]}, material: \"${cotton}\"}}\n");
   EXPECT_EQ(scene.name, "drape of 5");
   EXPECT_EQ(scene.cloths[0].input.mesh.positions.size(), 15u);
-  EXPECT_EQ(scene.cloths[0].input.material.density, 0.3);
+  EXPECT_EQ(scene.cloths[0].input.material.elastic.density, 0.3);
 }
 
 TEST(Variables, UseThoseAbove) {

@@ -37,7 +37,7 @@ static std::vector<double> masses(const Simulation& simulation) {
     result.resize(first + x.size(), 0.0);
     for (const auto& [a, b, c] : cloth.mesh.triangles) {
       const double area = 0.5 * (x[b] - x[a]).cross(x[c] - x[a]).norm();
-      for (const int v : {a, b, c}) result[first + v] += cloth.material.density * area / 3;
+      for (const int v : {a, b, c}) result[first + v] += cloth.material.elastic.density * area / 3;
     }
   }
   return result;
