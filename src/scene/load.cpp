@@ -56,7 +56,12 @@ void read_world(const Section& scene, SceneDescription& description) {
   read_numbers(simulation, "gravity", description.gravity);
   const Section wind = open_section(simulation, "wind");
   read_numbers(wind, "velocity", description.wind.velocity);
+  read_number(wind, "gust", description.wind.gust);
+  read_number(wind, "gust_size", description.wind.gust_size);
+  read_number(wind, "seed", description.wind.seed);
   read_number(wind, "drag", description.wind.drag);
+  read_number(wind, "tangential_drag", description.wind.tangential_drag);
+  read_number(wind, "lift", description.wind.lift);
   read_boolean(simulation, "self_collision", description.self_collision);
 }
 

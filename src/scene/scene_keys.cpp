@@ -57,7 +57,14 @@ constexpr Key general_keys[] = {
     numbers("simulation.gravity", 3, {acceleration, -1000, 1000}, "[x, y, z]; +y is up"),
     section("simulation.wind", "moving air"),
     numbers("simulation.wind.velocity", 3, {speed, -100, 100}, "[x, y, z]"),
-    number("simulation.wind.drag", plain, 0, 100, "coefficient on the normal component while a wind blows"),
+    number("simulation.wind.gust", plain, 0, 2,
+           "how far gusts depart from the mean, as a share of its speed"),
+    number("simulation.wind.gust_size", length, 0.01, 1000, "of the largest whirls"),
+    whole("simulation.wind.seed", 0, 1e9, "other gusts for each"),
+    number("simulation.wind.drag", plain, 0, 100,
+           "coefficient of pressure, across the cloth; also in still air"),
+    number("simulation.wind.tangential_drag", plain, 0, 100, "coefficient of friction, along the cloth"),
+    number("simulation.wind.lift", plain, 0, 100, "coefficient of lift, at right angles to the stream"),
     of_kind(KeyKind::boolean, "simulation.self_collision", "cloth against cloth"),
 };
 
@@ -76,6 +83,8 @@ constexpr Key cloth_keys[] = {
     number("cloths.*.material.bend", flexural_rigidity, 0, 1, "flexural rigidity"),
     number("cloths.*.material.damping", rate, 0, 1000, "the rate at which bending motion dies"),
     number("cloths.*.material.friction", plain, 0, 10, "Coulomb's coefficient"),
+
+    number("cloths.*.pressure", pressure, -100'000, 100'000, "of a closed cloth, inside over outside"),
 
     of_kind(KeyKind::list, "cloths.*.pins", "vertices that are held; each by corner, box or vertices"),
     of_kind(KeyKind::axis_signs, "cloths.*.pins.*.corner",

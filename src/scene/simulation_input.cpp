@@ -19,7 +19,7 @@ namespace {
 
 // Part of every fingerprint. To be counted up with each change that makes the same scene move in another way,
 // or that adds a value to the fingerprint: what is in a cache from before is then not taken for the scene's.
-constexpr std::uint64_t fingerprint_version = 1;
+constexpr std::uint64_t fingerprint_version = 2;
 
 // Numbers go in as their bytes, lists after their length, so that no two scenes run together.
 class Fingerprint {
@@ -63,6 +63,12 @@ class Fingerprint {
                                material.bend_stiffness, material.damping, material.friction})
       add(value);
   }
+  void add(const WindInput& wind) {
+    add(wind.velocity);
+    add(static_cast<std::uint64_t>(wind.seed));
+    for (const double value : {wind.gust, wind.gust_size, wind.drag, wind.tangential_drag, wind.lift})
+      add(value);
+  }
   void add(const PinInput& pin) {
     add(pin.vertices);
     add(pin.motion.has_value());
@@ -74,6 +80,7 @@ class Fingerprint {
     add(cloth.mesh);
     add(cloth.start_positions);
     add(cloth.material);
+    add(cloth.pressure);
     add(std::uint64_t{cloth.pins.size()});
     for (const PinInput& pin : cloth.pins) add(pin);
   }
@@ -100,8 +107,7 @@ std::uint64_t simulation_fingerprint(const SceneDescription& scene) {
   fingerprint.add(scene.time.fps);
   fingerprint.add(scene.time.step);
   fingerprint.add(scene.gravity);
-  fingerprint.add(scene.wind.velocity);
-  fingerprint.add(scene.wind.drag);
+  fingerprint.add(scene.wind);
   fingerprint.add(scene.self_collision);
   fingerprint.add(std::uint64_t{scene.cloths.size()});
   for (const ClothDescription& cloth : scene.cloths) fingerprint.add(cloth.input);

@@ -32,6 +32,8 @@ struct ClothInput {
   TriangleMesh mesh;                  // its positions are the rest shape
   std::vector<Vec3> start_positions;  // one for each point
   ClothMaterial material;
+  double pressure =
+      0;  // Pa, of a gas inside of a closed cloth, over that of the air outside; it does not change
   std::vector<PinInput> pins;
 };
 
@@ -58,9 +60,16 @@ struct ColliderInput {
   double friction = 0.3;  // a contact uses the geometric mean of the two coefficients
 };
 
+// The air, and how it takes hold of cloth (forces.cpp has the formula). The coefficients are those of a flat
+// plate (Hoerner 1965, Fluid-Dynamic Drag); with drag and tangential drag 0 there is no air.
 struct WindInput {
-  Vec3 velocity = Vec3::Zero();  // m/s
-  double drag = 1.0;             // coefficient on the normal component
+  Vec3 velocity = Vec3::Zero();   // m/s, the mean
+  double gust = 0;                // how far gusts depart from the mean, as a share of its speed
+  double gust_size = 2;           // m: the size of the largest whirls
+  int seed = 0;                   // other gusts for each
+  double drag = 1.2;              // of pressure, across the surface
+  double tangential_drag = 0.02;  // of skin friction, along the surface
+  double lift = 0.8;              // at right angles to the stream, more than the pressure's own
 };
 
 struct SimulationInput {

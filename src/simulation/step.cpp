@@ -20,9 +20,11 @@ void gather_start(const State& state, Scratch& scratch) {
 
 // Section 3: external forces, and x* = x + h v. Pinned points go where their pins go.
 void predict(const World& world, double time, State& state, Scratch& scratch) {
-  apply_external_forces(world, state.positions, state.velocities);
-  for (std::size_t v = 0; v < state.positions.size(); ++v)
+  external_accelerations(world, time - world.step, state.positions, state.velocities, scratch.accelerations);
+  for (std::size_t v = 0; v < state.positions.size(); ++v) {
+    state.velocities[v] += world.step * scratch.accelerations[v];
     if (!world.pinned[v]) scratch.end[v] += world.step * state.velocities[v];
+  }
   for (const Pin& pin : world.pins)
     for (std::size_t i = 0; i < pin.vertices.size(); ++i)
       if (world.pinned[pin.vertices[i]]) scratch.end[pin.vertices[i]] = pin_position(pin, i, time);

@@ -13,7 +13,8 @@ namespace drape {
 struct Scratch {
   std::vector<Vec3> start, end;  // of all contact vertices: cloths, then colliders
   std::vector<Vec3> predicted;   // x*
-  std::vector<Vec3> undamped;    // velocities
+  std::vector<Vec3> accelerations;
+  std::vector<Vec3> undamped;  // velocities
   std::vector<BodyMotion> bodies;
   std::vector<double> collider_aims;  // seconds: the time on its way that each collider makes for
   FibreScratch fibres;

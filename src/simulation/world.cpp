@@ -4,6 +4,7 @@
 
 #include "mesh/topology.h"
 #include "simulation/colliders.h"
+#include "simulation/pressure.h"
 
 namespace drape {
 namespace {
@@ -150,6 +151,7 @@ World build_world(SimulationInput input) {
   world.step = world.input.frame_duration / world.steps_per_frame;
   world.sheet = build_sheet(world.input);
   world.masses = lumped_masses(world.sheet);
+  world.pressures = triangle_pressures(world.input.cloths);
   world.pins = build_pins(world.input);
   build_geometry(world);
   build_pinned_parts(world, pinned_vertices(world, 0));

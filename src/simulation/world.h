@@ -29,6 +29,7 @@ struct World {
 
   Sheet sheet;  // all cloths as one mesh
   std::vector<double> masses;
+  std::vector<double> pressures;  // Pa along each triangle's normal; empty where no cloth has any
   std::vector<Pin> pins;
   std::vector<std::vector<Vec3>> collider_points;  // of each collider, in its own frame
   ContactGeometry geometry;
