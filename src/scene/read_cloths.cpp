@@ -74,6 +74,14 @@ void read_pressure(const Section& cloth, ClothInput& input) {
                                  path, input.pressure, most));
 }
 
+// In the order of the text, which is that of the simulation's colliders.
+std::vector<std::string_view> collider_names(const Section& scene) {
+  std::vector<std::string_view> names;
+  if (const Node* colliders = find_value(scene, "colliders"))
+    for (const MapEntry& entry : colliders->entries) names.push_back(entry.key);
+  return names;
+}
+
 std::vector<Vec3> placed(const std::vector<Vec3>& points, const RigidMotion& place) {
   const RigidPose pose = pose_at(place, 0);
   std::vector<Vec3> result(points.size());
@@ -86,6 +94,7 @@ std::vector<Vec3> placed(const std::vector<Vec3>& points, const RigidMotion& pla
 std::vector<ClothDescription> read_cloths(const Section& scene, const std::filesystem::path& scene_folder,
                                           double fps) {
   std::vector<ClothDescription> cloths;
+  const std::vector<std::string_view> colliders = collider_names(scene);
   int points_left = most_grid_points;
   const Node* node = find_value(scene, "cloths");
   if (node != nullptr && node->kind == Node::Kind::map && node->entries.empty())
@@ -102,7 +111,7 @@ std::vector<ClothDescription> read_cloths(const Section& scene, const std::files
     cloth.input.start_positions = placed(mesh->positions, place);
     cloth.input.mesh = std::move(*mesh);
     read_pressure(section, cloth.input);
-    cloth.input.pins = read_pins(section, cloth.input, fps);
+    cloth.input.pins = read_pins(section, cloth.input, colliders, fps);
     cloths.push_back(std::move(cloth));
   }
   return cloths;

@@ -93,7 +93,10 @@ constexpr Key cloth_keys[] = {
     required(numbers("cloths.*.pins.*.box.from", 3, position, "[x, y, z], one corner")),
     required(numbers("cloths.*.pins.*.box.to", 3, position, "[x, y, z], the opposite corner")),
     of_kind(KeyKind::indices, "cloths.*.pins.*.vertices", "numbers of vertices, from 0"),
-    section("cloths.*.pins.*.animate", "turns about the centre of the vertices", "animate"),
+    section("cloths.*.pins.*.animate", "moves them on; turns about the centre of the vertices", "animate"),
+    of_kind(KeyKind::text, "cloths.*.pins.*.follow", "the name of a collider that they move with"),
+    whole("cloths.*.pins.*.from", 0, 100'000,
+          "the frame from which the vertices are held, where they are then"),
     whole("cloths.*.pins.*.until", 1, 100'000, "the frame from which the vertices are free"),
     section("cloths.*.look", "how it is drawn", "look"),
 };

@@ -73,6 +73,9 @@ class Fingerprint {
     add(pin.vertices);
     add(pin.motion.has_value());
     if (pin.motion) add(*pin.motion);
+    add(pin.from);
+    add(pin.collider.has_value());
+    if (pin.collider) add(static_cast<std::uint64_t>(*pin.collider));
     add(pin.until.has_value());
     if (pin.until) add(*pin.until);
   }

@@ -20,11 +20,14 @@ struct ClothMaterial {
   double friction = 0.3;             // Coulomb's coefficient
 };
 
-// Vertices that follow a motion, or stay where they start. `motion` turns about the centroid of the vertices.
+// Vertices that are held from a time on: they stay where they are then, or move on from there as a motion
+// does, turning about their centroid, or as a collider does. The times are those of frames.
 struct PinInput {
   std::vector<int> vertices;
-  std::optional<RigidMotion> motion;
-  std::optional<double> until;  // seconds; the vertices are free from then on
+  std::optional<RigidMotion> motion = {};
+  std::optional<double> until = {};  // seconds; the vertices are free from then on
+  double from = 0;                   // seconds, before `until`
+  std::optional<int> collider = {};  // the index of the one to follow; in place of a motion
 };
 
 struct ClothInput {

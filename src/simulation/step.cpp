@@ -1,6 +1,7 @@
 #include "simulation/step.h"
 
 #include <algorithm>
+#include <span>
 
 #include "core/error.h"
 #include "simulation/forces.h"
@@ -18,6 +19,21 @@ void gather_start(const State& state, Scratch& scratch) {
   scratch.end = scratch.start;
 }
 
+// Where the colliders make for: their pose at `time`, or what of it they can catch up with.
+void aim_colliders(const World& world, double time, const State& state, Scratch& scratch) {
+  scratch.bodies.assign(world.geometry.bodies.size(), {});
+  scratch.collider_aims.resize(world.input.colliders.size());
+  std::size_t point = state.positions.size();
+  for (std::size_t c = 0; c < world.input.colliders.size(); ++c) {
+    const RigidMotion& motion = world.input.colliders[c].motion;
+    const double reached = state.collider_times[c];
+    scratch.collider_aims[c] = std::min(time, reached + catch_up * world.step);
+    BodyMotion& body = scratch.bodies[world.input.cloths.size() + c];
+    body = {pose_at(motion, reached), pose_at(motion, scratch.collider_aims[c])};
+    for (const Vec3& local : world.collider_points[c]) scratch.end[point++] = body.end(local);
+  }
+}
+
 // Section 3: external forces, and x* = x + h v. Pinned points go where their pins go.
 void predict(const World& world, double time, State& state, Scratch& scratch) {
   external_accelerations(world, time - world.step, state.positions, state.velocities, scratch.accelerations);
@@ -25,9 +41,8 @@ void predict(const World& world, double time, State& state, Scratch& scratch) {
     state.velocities[v] += world.step * scratch.accelerations[v];
     if (!world.pinned[v]) scratch.end[v] += world.step * state.velocities[v];
   }
-  for (const Pin& pin : world.pins)
-    for (std::size_t i = 0; i < pin.vertices.size(); ++i)
-      if (world.pinned[pin.vertices[i]]) scratch.end[pin.vertices[i]] = pin_position(pin, i, time);
+  const auto colliders = std::span<const BodyMotion>(scratch.bodies).subspan(world.input.cloths.size());
+  place_pinned(world.pins, time - world.step, time, state, colliders, scratch.end);
 }
 
 // Takes from x* what damping takes from the velocities.
@@ -52,21 +67,6 @@ void check_finite(const std::vector<Vec3>& x) {
   if (!finite) throw SimulationError("the positions are no longer finite numbers: try a smaller time step");
 }
 
-// Where the colliders make for: their pose at `time`, or what of it they can catch up with.
-void aim_colliders(const World& world, double time, const State& state, Scratch& scratch) {
-  scratch.bodies.assign(world.geometry.bodies.size(), {});
-  scratch.collider_aims.resize(world.input.colliders.size());
-  std::size_t point = state.positions.size();
-  for (std::size_t c = 0; c < world.input.colliders.size(); ++c) {
-    const RigidMotion& motion = world.input.colliders[c].motion;
-    const double reached = state.collider_times[c];
-    scratch.collider_aims[c] = std::min(time, reached + catch_up * world.step);
-    BodyMotion& body = scratch.bodies[world.input.cloths.size() + c];
-    body = {pose_at(motion, reached), pose_at(motion, scratch.collider_aims[c])};
-    for (const Vec3& local : world.collider_points[c]) scratch.end[point++] = body.end(local);
-  }
-}
-
 // Velocities from the positions that contact has left; colliders to where they came.
 void integrate(const World& world, const ContactStepResult& contact, State& state, Scratch& scratch) {
   const std::size_t count = state.positions.size();
@@ -86,13 +86,15 @@ void integrate(const World& world, const ContactStepResult& contact, State& stat
 
 ContactStepResult advance_step(const World& world, double time, State& state, Scratch& scratch,
                                Profile& profile) {
-  timed(profile, Phase::elastic, [&] {
+  timed(profile, Phase::other, [&] {
     gather_start(state, scratch);
+    aim_colliders(world, time, state, scratch);
+  });
+  timed(profile, Phase::elastic, [&] {
     predict(world, time, state, scratch);
     pull(world, state, scratch);
   });
   check_finite(scratch.end);
-  timed(profile, Phase::other, [&] { aim_colliders(world, time, state, scratch); });
   const ContactStepResult contact = step_contacts(world.geometry, world.contact_settings, scratch.bodies,
                                                   scratch.start, scratch.contacts, profile, scratch.end);
   check_finite(scratch.end);

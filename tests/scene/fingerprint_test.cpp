@@ -35,6 +35,8 @@ TEST(Fingerprint, ChangesWithAllThatTheMotionDependsOn) {
                                             "cloths.a.pins=[]",
                                             "cloths.a.pins.0.corner=[+x, -z]",
                                             "cloths.a.pins.0.until=5",
+                                            "cloths.a.pins.0.from=5",
+                                            "cloths.a.pins.0.follow=c",
                                             "cloths.a.pins.0.animate={rotate_y: [[0, 0], [1, 1]]}",
                                             "colliders={}",
                                             "colliders.c.sphere.radius=2",
