@@ -81,6 +81,7 @@ struct SceneDescription {
   bool self_collision = true;
   std::vector<ClothDescription> cloths;
   std::vector<ColliderDescription> colliders;
+  std::vector<SeamInput> seams;
   CameraDescription camera;
   render::Sun sun;
   render::Sky sky;

@@ -10,6 +10,7 @@
 #include "scene/read_cloths.h"
 #include "scene/read_colliders.h"
 #include "scene/read_picture.h"
+#include "scene/read_seams.h"
 #include "scene/section.h"
 #include "scene/section_values.h"
 #include "scene/variables.h"
@@ -87,6 +88,7 @@ SceneDescription read_scene(const Node& root, const std::filesystem::path& path,
   read_world(scene, description);
   description.cloths = read_cloths(scene, path.parent_path(), description.time.fps);
   description.colliders = read_colliders(scene, path.parent_path(), description.time.fps);
+  description.seams = read_seams(scene, description.cloths, description.time.fps);
   read_picture(scene, description);
   return description;
 }

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "scene/read_motion.h"
+#include "scene/read_vertices.h"
 #include "scene/section_values.h"
 #include "scene/suggestion.h"
 
@@ -75,19 +76,8 @@ std::vector<int> read_box(const Section& pin, const ClothInput& input) {
   return vertices;
 }
 
-std::vector<int> read_vertices(const Section& pin, const ClothInput& input) {
-  const Node& node = *find_value(pin, "vertices");
-  const std::string path = path_of(pin, "vertices");
-  if (node.kind != Node::Kind::sequence || node.items.empty()) {
-    pin.problems->add(node.place, fmt::format("{} must be a list of numbers of vertices, not {}", path,
-                                              node.items.empty() ? "empty" : describe(node)));
-    return {};
-  }
-  const NumberRule rule{Quantity::plain, 0, static_cast<double>(input.mesh.positions.size()) - 1, true};
-  std::vector<int> vertices;
-  for (std::size_t i = 0; i < node.items.size(); ++i)
-    if (const auto vertex = number_in(node.items[i], rule, fmt::format("{}[{}]", path, i), *pin.problems))
-      vertices.push_back(static_cast<int>(*vertex));
+std::vector<int> read_sorted_vertices(const Section& pin, const ClothInput& input) {
+  std::vector<int> vertices = read_vertices(pin, static_cast<int>(input.mesh.positions.size()));
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return vertices;
@@ -131,7 +121,7 @@ PinInput read_pin(const Section& pin, const ClothInput& input, const std::vector
   const std::string_view how = exactly_one(pin, "choice of vertices", {"corner", "box", "vertices"});
   if (how == "corner") result.vertices = read_corner(pin, input);
   if (how == "box") result.vertices = read_box(pin, input);
-  if (how == "vertices") result.vertices = read_vertices(pin, input);
+  if (how == "vertices") result.vertices = read_sorted_vertices(pin, input);
   if (has(pin, "animate")) read_animation(pin, fps, result.motion.emplace());
   read_follow(pin, colliders, result.collider);
   read_times(pin, fps, result);

@@ -40,6 +40,7 @@ constexpr NumberRule size = {length, 0.001, 1000};
 constexpr NumberRule turn = {angle, -36'000, 36'000};
 
 constexpr std::array<std::string_view, 4> pattern_names = {"plain", "checker", "stripe", "tartan"};
+constexpr std::array<std::string_view, 4> edge_names = {"-x", "+x", "-z", "+z"};
 constexpr std::array<std::string_view, 3> quality_names = {"draft", "preview", "final"};
 
 constexpr Key general_keys[] = {
@@ -99,6 +100,20 @@ constexpr Key cloth_keys[] = {
           "the frame from which the vertices are held, where they are then"),
     whole("cloths.*.pins.*.until", 1, 100'000, "the frame from which the vertices are free"),
     section("cloths.*.look", "how it is drawn", "look"),
+};
+
+constexpr Key seam_keys[] = {
+    of_kind(KeyKind::list, "seams", "threads that draw pieces of cloth together"),
+    required(
+        of_kind(KeyKind::list, "seams.*.between", "the two sides, with as many vertices, paired in order")),
+    required(of_kind(KeyKind::text, "seams.*.between.*.cloth", "the name of a cloth")),
+    choice("seams.*.between.*.edge", edge_names,
+           "the vertices farthest along that axis of the unplaced shape, from - to + of the other axis"),
+    of_kind(KeyKind::indices, "seams.*.between.*.vertices",
+            "in place of an edge: numbers of vertices, from 0"),
+    of_kind(KeyKind::boolean, "seams.*.between.*.reverse", "true: in the opposite order"),
+    whole("seams.*.from", 0, 100'000, "the frame from which the threads are drawn in"),
+    whole("seams.*.close", 1, 100'000, "the frame from which the seam is closed"),
 };
 
 constexpr Key collider_keys[] = {
@@ -173,8 +188,8 @@ constexpr Key picture_keys[] = {
 
 // The parts one after another.
 constexpr auto all_keys = [] {
-  std::array<Key, std::size(general_keys) + std::size(cloth_keys) + std::size(collider_keys) +
-                      std::size(shared_keys) + std::size(picture_keys)>
+  std::array<Key, std::size(general_keys) + std::size(cloth_keys) + std::size(seam_keys) +
+                      std::size(collider_keys) + std::size(shared_keys) + std::size(picture_keys)>
       keys;
   std::size_t count = 0;
   const auto append = [&](const auto& part) {
@@ -182,6 +197,7 @@ constexpr auto all_keys = [] {
   };
   append(general_keys);
   append(cloth_keys);
+  append(seam_keys);
   append(collider_keys);
   append(shared_keys);
   append(picture_keys);

@@ -7,6 +7,7 @@ SimulationInput simulation_input(const SceneDescription& scene) {
   SimulationInput input;
   for (const ClothDescription& cloth : scene.cloths) input.cloths.push_back(cloth.input);
   for (const ColliderDescription& collider : scene.colliders) input.colliders.push_back(collider.input);
+  input.seams = scene.seams;
   input.gravity = scene.gravity;
   input.wind = scene.wind;
   input.self_collision = scene.self_collision;
@@ -87,6 +88,12 @@ class Fingerprint {
     add(std::uint64_t{cloth.pins.size()});
     for (const PinInput& pin : cloth.pins) add(pin);
   }
+  void add(const SeamInput& seam) {
+    for (const int cloth : seam.cloths) add(static_cast<std::uint64_t>(cloth));
+    for (const std::vector<int>& side : seam.vertices) add(side);
+    add(seam.from);
+    add(seam.close);
+  }
   void add(const PlaneShape&) {}
   void add(const SphereShape& sphere) { add(sphere.radius); }
   void add(const BoxShape& box) { add(box.size); }
@@ -114,6 +121,8 @@ std::uint64_t simulation_fingerprint(const SceneDescription& scene) {
   fingerprint.add(scene.self_collision);
   fingerprint.add(std::uint64_t{scene.cloths.size()});
   for (const ClothDescription& cloth : scene.cloths) fingerprint.add(cloth.input);
+  fingerprint.add(std::uint64_t{scene.seams.size()});
+  for (const SeamInput& seam : scene.seams) fingerprint.add(seam);
   fingerprint.add(std::uint64_t{scene.colliders.size()});
   for (const ColliderDescription& collider : scene.colliders) fingerprint.add(collider.input);
   return fingerprint.digest();

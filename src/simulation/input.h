@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -40,6 +41,15 @@ struct ClothInput {
   std::vector<PinInput> pins;
 };
 
+// Pairs of vertices of two cloths, or of one, that threads draw together; the two lists have the same length,
+// and no vertex is paired with itself. The times are those of frames.
+struct SeamInput {
+  std::array<int, 2> cloths = {};  // indices
+  std::array<std::vector<int>, 2> vertices = {};
+  double from = 0;   // seconds: the threads are drawn in from then on
+  double close = 1;  // seconds, after `from`: the pairs are as near as contact lets them be
+};
+
 struct PlaneShape {};  // y <= 0 of its own frame is solid
 struct SphereShape {
   double radius;
@@ -78,6 +88,7 @@ struct WindInput {
 struct SimulationInput {
   std::vector<ClothInput> cloths;
   std::vector<ColliderInput> colliders;
+  std::vector<SeamInput> seams;
   Vec3 gravity{0, -9.81, 0};
   WindInput wind;
   bool self_collision = true;

@@ -54,12 +54,13 @@ void damp(const World& world, State& state, Scratch& scratch) {
 }
 
 // Section 4: x* -> x**. Pieces that nothing holds keep the angular momentum that they were predicted with.
-void pull(const World& world, State& state, Scratch& scratch) {
+void pull(const World& world, double time, State& state, Scratch& scratch) {
   scratch.predicted = scratch.end;
   damp(world, state, scratch);
   pull_to_goals(world.elastic, scratch.fibres, scratch.end);
   for (const FreePiece& piece : world.free_pieces)
     restore_angular_momentum(piece, world.masses, scratch.start, scratch.predicted, scratch.end);
+  pull_seams(world.seams, state.seam_lengths, world.elastic.inverse_masses, time, scratch.end);
 }
 
 void check_finite(const std::vector<Vec3>& x) {
@@ -92,7 +93,7 @@ ContactStepResult advance_step(const World& world, double time, State& state, Sc
   });
   timed(profile, Phase::elastic, [&] {
     predict(world, time, state, scratch);
-    pull(world, state, scratch);
+    pull(world, time, state, scratch);
   });
   check_finite(scratch.end);
   const ContactStepResult contact = step_contacts(world.geometry, world.contact_settings, scratch.bodies,

@@ -5,6 +5,7 @@
 #include "mesh/topology.h"
 #include "simulation/colliders.h"
 #include "simulation/pressure.h"
+#include "simulation/sewing.h"
 
 namespace drape {
 namespace {
@@ -125,6 +126,7 @@ World build_world(SimulationInput input) {
   world.pressures = triangle_pressures(world.input.cloths);
   world.pins = build_pins(world.input.cloths);
   build_geometry(world);
+  world.seams = sew(world.input, world.geometry);
   build_pinned_parts(world, pinned_vertices(world.pins, world.masses.size(), 0));
   return world;
 }
@@ -141,6 +143,7 @@ State initial_state(const World& world) {
     state.collider_poses.push_back(pose);
   }
   grab(world.pins, 0, state);
+  start_seams(world.seams, 0, state.positions, state.seam_lengths);
   return state;
 }
 

@@ -6,6 +6,7 @@
 #include "contact/contact_step.h"
 #include "deformation/elastic_model.h"
 #include "deformation/momentum.h"
+#include "deformation/seams.h"
 #include "deformation/sheet.h"
 #include "simulation/input.h"
 #include "simulation/pins.h"
@@ -23,6 +24,7 @@ struct World {
   std::vector<double> masses;
   std::vector<double> pressures;  // Pa along each triangle's normal; empty where no cloth has any
   std::vector<Pin> pins;
+  SeamStage seams;
   std::vector<std::vector<Vec3>> collider_points;  // of each collider, in its own frame
   ContactGeometry geometry;
   ContactSettings contact_settings;

@@ -50,6 +50,17 @@ TEST(Fingerprint, ChangesWithAllThatTheMotionDependsOn) {
         << change;
 }
 
+TEST(Fingerprint, ChangesWithTheSeams) {
+  const std::string seams =
+      "seams: [{between: [{cloth: a, edge: -x}, {cloth: a, edge: +x, reverse: false}], from: 0, close: 9}]\n";
+  std::set<std::uint64_t> fingerprints = {simulation_fingerprint(load_text(scene_text))};
+  for (const std::string change :
+       {"name=same", "seams.0.from=2", "seams.0.close=10", "seams.0.between.1.reverse=true",
+        "seams.0.between.0={cloth: a, edge: -z}"})
+    EXPECT_TRUE(fingerprints.insert(simulation_fingerprint(load_text(scene_text + seams, {change}))).second)
+        << change;
+}
+
 TEST(Fingerprint, ChangesWithThePressureOfAClosedCloth) {
   const auto scene = std::filesystem::path(DRAPE_SOURCE_DIR) / "tests/scene/bad/pressure.yaml";
   const auto with_pressure = [&](const std::string& pressure) {

@@ -75,6 +75,20 @@ TEST(Load, LetsOnePinTakeOverFromAnother) {
   EXPECT_EQ(cloth.pins.size(), 2u);
 }
 
+TEST(Load, PairsTheVerticesOfASeam) {
+  const auto scene = load_text(
+      "version: 1\ntime: {fps: 10}\n"
+      "cloths: {a: {grid: {size: [2, 2], points: [3, 3]}}, b: {grid: {size: [2, 2], points: [3, 3]}}}\n"
+      "seams: [{between: [{cloth: b, edge: +x}, {cloth: a, edge: -z, reverse: true}], from: 5, close: "
+      "20}]\n");
+  const SeamInput& seam = scene.seams.at(0);
+  EXPECT_EQ(seam.cloths, (std::array{1, 0}));
+  EXPECT_EQ(seam.vertices[0], (std::vector{2, 5, 8}));
+  EXPECT_EQ(seam.vertices[1], (std::vector{2, 1, 0}));
+  EXPECT_EQ(seam.from, 0.5);
+  EXPECT_EQ(seam.close, 2);
+}
+
 TEST(Load, ReadsEveryShape) {
   EXPECT_EQ(collider_with("plane: {y: 2}").motion.at.y(), 2);
   EXPECT_EQ(std::get<SphereShape>(collider_with("sphere: {radius: 30 cm}").shape).radius, 0.3);
