@@ -251,7 +251,8 @@ std::optional<State> read_checkpoint(const fs::path& folder, std::uint64_t finge
   const bool whole = content.take(frame) && content.take_all(state.positions) &&
                      content.take_all(state.velocities) && content.take_all(state.collider_points) &&
                      content.take_all(state.collider_times) && content.take_all(state.collider_poses) &&
-                     content.take_all(state.grabs) && content.take_all(state.seam_lengths) && content.at_end();
+                     content.take_all(state.grabs) && content.take_all(state.seam_lengths) &&
+                     content.at_end();
   const bool makes_sense = whole && frame >= 0 && frame <= std::numeric_limits<int>::max() &&
                            state.positions.size() == state.velocities.size();
   if (!makes_sense) fail_damaged(path, "its sizes disagree");

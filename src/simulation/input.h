@@ -36,8 +36,7 @@ struct ClothInput {
   TriangleMesh mesh;                  // its positions are the rest shape
   std::vector<Vec3> start_positions;  // one for each point
   ClothMaterial material;
-  double pressure =
-      0;  // Pa, of a gas inside of a closed cloth, over that of the air outside; it does not change
+  double pressure = 0;  // Pa, inside over outside of a closed cloth; it does not change
   std::vector<PinInput> pins;
 };
 
