@@ -1,5 +1,6 @@
 #include "mesh/topology.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "mesh/disjoint_sets.h"
@@ -45,6 +46,11 @@ int opposite_vertex(const Topology& topology, const std::vector<Triangle>& trian
   for (const int vertex : triangles[across])
     if (vertex != edge.vertices[0] && vertex != edge.vertices[1]) return vertex;
   return -1;
+}
+
+bool is_closed(const Topology& topology) {
+  return std::all_of(topology.edges.begin(), topology.edges.end(),
+                     [](const Edge& edge) { return edge.triangles[1] >= 0; });
 }
 
 std::vector<int> connected_pieces(int vertex_count, const std::vector<Triangle>& triangles) {

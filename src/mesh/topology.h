@@ -26,6 +26,9 @@ Topology build_topology(int vertex_count, const std::vector<Triangle>& triangles
 // that edge; -1 on a boundary.
 int opposite_vertex(const Topology& topology, const std::vector<Triangle>& triangles, int triangle, int k);
 
+// True where each edge has two triangles: what is inside is cut off from what is outside.
+bool is_closed(const Topology& topology);
+
 // The numbers of the connected pieces, one for each vertex, counted from 0 in order of their smallest vertex.
 std::vector<int> connected_pieces(int vertex_count, const std::vector<Triangle>& triangles);
 

@@ -87,6 +87,7 @@ struct SceneDescription {
   bool self_collision = true;
   std::vector<ClothDescription> cloths;
   std::vector<ColliderDescription> colliders;
+  std::vector<SeamInput> seams;
   CameraDescription camera;
   std::optional<DrapeTest> drape_test;
   render::Sun sun;

@@ -11,6 +11,7 @@
 #include "scene/read_colliders.h"
 #include "scene/read_measure.h"
 #include "scene/read_picture.h"
+#include "scene/read_seams.h"
 #include "scene/section.h"
 #include "scene/section_values.h"
 #include "scene/variables.h"
@@ -57,7 +58,12 @@ void read_world(const Section& scene, SceneDescription& description) {
   read_numbers(simulation, "gravity", description.gravity);
   const Section wind = open_section(simulation, "wind");
   read_numbers(wind, "velocity", description.wind.velocity);
+  read_number(wind, "gust", description.wind.gust);
+  read_number(wind, "gust_size", description.wind.gust_size);
+  read_number(wind, "seed", description.wind.seed);
   read_number(wind, "drag", description.wind.drag);
+  read_number(wind, "tangential_drag", description.wind.tangential_drag);
+  read_number(wind, "lift", description.wind.lift);
   read_boolean(simulation, "self_collision", description.self_collision);
 }
 
@@ -83,6 +89,7 @@ SceneDescription read_scene(const Node& root, const std::filesystem::path& path,
   read_world(scene, description);
   description.cloths = read_cloths(scene, path.parent_path(), description.time.fps);
   description.colliders = read_colliders(scene, path.parent_path(), description.time.fps);
+  description.seams = read_seams(scene, description.cloths, description.time.fps);
   read_measure(scene, description);
   read_picture(scene, description);
   return description;

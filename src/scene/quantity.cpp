@@ -43,6 +43,9 @@ static constexpr std::array units = {
     Unit{Quantity::flexural_rigidity, "uN m", 1, 1'000'000},
     Unit{Quantity::rate, "1/s"},
     Unit{Quantity::rate, "Hz"},
+    Unit{Quantity::pressure, "Pa"},
+    Unit{Quantity::pressure, "hPa", 100},
+    Unit{Quantity::pressure, "kPa", 1000},
 };
 
 static std::string_view name_of(Quantity quantity) {
@@ -67,6 +70,8 @@ static std::string_view name_of(Quantity quantity) {
       return "a flexural rigidity";
     case Quantity::rate:
       return "a rate";
+    case Quantity::pressure:
+      return "a pressure";
   }
   return "a number";
 }

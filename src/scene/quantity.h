@@ -18,6 +18,7 @@ enum class Quantity {
   tension,            // N/m
   flexural_rigidity,  // N m
   rate,               // 1/s
+  pressure,           // Pa
 };
 
 // "m" for a length; empty for what is plain.

@@ -5,12 +5,14 @@
 #include <algorithm>
 
 #include "mesh/primitives.h"
+#include "mesh/topology.h"
 #include "scene/read_look.h"
 #include "scene/read_mesh_key.h"
 #include "scene/read_motion.h"
 #include "scene/read_pins.h"
 #include "scene/section_values.h"
 #include "scene/suggestion.h"
+#include "simulation/pressure.h"
 
 namespace drape {
 namespace {
@@ -124,6 +126,35 @@ void read_material(const Section& cloth, const std::vector<NamedMaterial>& mater
   material = found->material;
 }
 
+// A pressure needs an inside, and a cloth that holds it.
+void read_pressure(const Section& cloth, ClothInput& input) {
+  const Node* node = find_value(cloth, "pressure");
+  if (node == nullptr) return;
+  read_number(cloth, "pressure", input.pressure);
+  if (input.pressure == 0) return;
+  const std::string path = path_of(cloth, "pressure");
+  const TriangleMesh& mesh = input.mesh;
+  const double most = doubling_pressure(input);
+  if (!is_closed(build_topology(static_cast<int>(mesh.positions.size()), mesh.triangles)))
+    cloth.problems->add(node->place,
+                        path +
+                            " needs a cloth that is closed, and this one has open edges: give it "
+                            "a closed mesh, or leave the pressure out");
+  else if (input.pressure > most)
+    cloth.problems->add(
+        node->place, fmt::format("{} of {} Pa is more than the cloth holds: over {:.5g} Pa it would grow to "
+                                 "more than twice its size; lower it, or raise material.stretch",
+                                 path, input.pressure, most));
+}
+
+// In the order of the text, which is that of the simulation's colliders.
+std::vector<std::string_view> collider_names(const Section& scene) {
+  std::vector<std::string_view> names;
+  if (const Node* colliders = find_value(scene, "colliders"))
+    for (const MapEntry& entry : colliders->entries) names.push_back(entry.key);
+  return names;
+}
+
 std::vector<Vec3> placed(const std::vector<Vec3>& points, const RigidMotion& place) {
   const RigidPose pose = pose_at(place, 0);
   std::vector<Vec3> result(points.size());
@@ -136,6 +167,7 @@ std::vector<Vec3> placed(const std::vector<Vec3>& points, const RigidMotion& pla
 std::vector<ClothDescription> read_cloths(const Section& scene, const std::filesystem::path& scene_folder,
                                           double fps) {
   std::vector<ClothDescription> cloths;
+  const std::vector<std::string_view> colliders = collider_names(scene);
   double points_left = most_made_points;
   const std::vector<NamedMaterial> materials = read_materials(scene);
   const Node* node = find_value(scene, "cloths");
@@ -152,7 +184,8 @@ std::vector<ClothDescription> read_cloths(const Section& scene, const std::files
     if (!mesh) continue;
     cloth.input.start_positions = placed(mesh->positions, place);
     cloth.input.mesh = std::move(*mesh);
-    cloth.input.pins = read_pins(section, cloth.input, fps);
+    read_pressure(section, cloth.input);
+    cloth.input.pins = read_pins(section, cloth.input, colliders, fps);
     cloths.push_back(std::move(cloth));
   }
   return cloths;

@@ -7,7 +7,9 @@
 #include <numeric>
 
 #include "scene/read_motion.h"
+#include "scene/read_vertices.h"
 #include "scene/section_values.h"
+#include "scene/suggestion.h"
 
 namespace drape {
 namespace {
@@ -74,54 +76,88 @@ std::vector<int> read_box(const Section& pin, const ClothInput& input) {
   return vertices;
 }
 
-std::vector<int> read_vertices(const Section& pin, const ClothInput& input) {
-  const Node& node = *find_value(pin, "vertices");
-  const std::string path = path_of(pin, "vertices");
-  if (node.kind != Node::Kind::sequence || node.items.empty()) {
-    pin.problems->add(node.place, fmt::format("{} must be a list of numbers of vertices, not {}", path,
-                                              node.items.empty() ? "empty" : describe(node)));
-    return {};
-  }
-  const NumberRule rule{Quantity::plain, 0, static_cast<double>(input.mesh.positions.size()) - 1, true};
-  std::vector<int> vertices;
-  for (std::size_t i = 0; i < node.items.size(); ++i)
-    if (const auto vertex = number_in(node.items[i], rule, fmt::format("{}[{}]", path, i), *pin.problems))
-      vertices.push_back(static_cast<int>(*vertex));
+std::vector<int> read_sorted_vertices(const Section& pin, const ClothInput& input) {
+  std::vector<int> vertices = read_vertices(pin, static_cast<int>(input.mesh.positions.size()));
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return vertices;
 }
 
-PinInput read_pin(const Section& pin, const ClothInput& input, double fps) {
+void read_follow(const Section& pin, const std::vector<std::string_view>& colliders,
+                 std::optional<int>& collider) {
+  const Node* node = find_value(pin, "follow");
+  if (node == nullptr) return;
+  const std::string path = path_of(pin, "follow");
+  if (has(pin, "animate"))
+    pin.problems->add(node->place, fmt::format("{} has both follow and animate: give one", pin.path));
+  std::string name;
+  read_text(pin, "follow", name);
+  const auto found = std::find(colliders.begin(), colliders.end(), name);
+  if (found != colliders.end()) {
+    collider = static_cast<int>(found - colliders.begin());
+  } else if (!name.empty()) {
+    const std::string hint =
+        colliders.empty() ? "; the scene has none" : suggestion(name, colliders, "colliders");
+    pin.problems->add(node->place, fmt::format("{}: no collider is named {}{}", path, quote(name), hint));
+  }
+}
+
+void read_times(const Section& pin, double fps, PinInput& result) {
+  int from = 0, until = 0;
+  read_number(pin, "from", from);
+  read_number(pin, "until", until);
+  result.from = from / fps;
+  if (until == 0) return;
+  result.until = until / fps;
+  if (until <= from)
+    pin.problems->add(find_value(pin, "until")->place,
+                      fmt::format("{} must be a frame after the one of from, {}, but is {}",
+                                  path_of(pin, "until"), from, until));
+}
+
+PinInput read_pin(const Section& pin, const ClothInput& input, const std::vector<std::string_view>& colliders,
+                  double fps) {
   PinInput result;
   const std::string_view how = exactly_one(pin, "choice of vertices", {"corner", "box", "vertices"});
   if (how == "corner") result.vertices = read_corner(pin, input);
   if (how == "box") result.vertices = read_box(pin, input);
-  if (how == "vertices") result.vertices = read_vertices(pin, input);
+  if (how == "vertices") result.vertices = read_sorted_vertices(pin, input);
   if (has(pin, "animate")) read_animation(pin, fps, result.motion.emplace());
-  if (has(pin, "until")) {
-    int frame = 1;
-    read_number(pin, "until", frame);
-    result.until = frame / fps;
-  }
+  read_follow(pin, colliders, result.collider);
+  read_times(pin, fps, result);
   return result;
+}
+
+bool hold_together(const PinInput& a, const PinInput& b) {
+  return (!a.until || b.from < *a.until) && (!b.until || a.from < *b.until);
+}
+
+// Of each vertex, the pins before that hold it.
+using Holders = std::map<int, std::vector<std::size_t>>;
+
+void check_holders(const std::vector<Section>& sections, const std::vector<PinInput>& pins,
+                   Holders& holders) {
+  const std::size_t last = pins.size() - 1;
+  for (const int vertex : pins[last].vertices) {
+    for (const std::size_t other : holders[vertex])
+      if (hold_together(pins[last], pins[other]))
+        return sections[last].problems->add(sections[last].place,
+                                            fmt::format("{} holds vertex {}, which {} holds already",
+                                                        sections[last].path, vertex, sections[other].path));
+    holders[vertex].push_back(last);
+  }
 }
 
 }  // namespace
 
-std::vector<PinInput> read_pins(const Section& cloth, const ClothInput& input, double fps) {
+std::vector<PinInput> read_pins(const Section& cloth, const ClothInput& input,
+                                const std::vector<std::string_view>& colliders, double fps) {
   std::vector<PinInput> pins;
-  std::map<int, std::string> holder;  // of a vertex: the pin's path
-  for (const Section& section : open_list(cloth, "pins")) {
-    PinInput pin = read_pin(section, input, fps);
-    for (const int vertex : pin.vertices) {
-      const auto [first, is_new] = holder.emplace(vertex, section.path);
-      if (is_new) continue;
-      section.problems->add(section.place, fmt::format("{} holds vertex {}, which {} holds already",
-                                                       section.path, vertex, first->second));
-      break;
-    }
-    pins.push_back(std::move(pin));
+  Holders holders;
+  const std::vector<Section> sections = open_list(cloth, "pins");
+  for (const Section& section : sections) {
+    pins.push_back(read_pin(section, input, colliders, fps));
+    check_holders(sections, pins, holders);
   }
   return pins;
 }

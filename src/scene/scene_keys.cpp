@@ -47,6 +47,7 @@ constexpr NumberRule size = {length, 0.001, 1000};
 constexpr NumberRule turn = {angle, -36'000, 36'000};
 
 constexpr std::array<std::string_view, 4> pattern_names = {"plain", "checker", "stripe", "tartan"};
+constexpr std::array<std::string_view, 4> edge_names = {"-x", "+x", "-z", "+z"};
 constexpr std::array<std::string_view, 3> quality_names = {"draft", "preview", "final"};
 
 constexpr Key general_keys[] = {
@@ -64,7 +65,14 @@ constexpr Key general_keys[] = {
     numbers("simulation.gravity", 3, {acceleration, -1000, 1000}, "[x, y, z]; +y is up"),
     section("simulation.wind", "moving air"),
     numbers("simulation.wind.velocity", 3, {speed, -100, 100}, "[x, y, z]"),
-    number("simulation.wind.drag", plain, 0, 100, "coefficient on the normal component while a wind blows"),
+    number("simulation.wind.gust", plain, 0, 2,
+           "how far gusts depart from the mean, as a share of its speed"),
+    number("simulation.wind.gust_size", length, 0.01, 1000, "of the largest whirls"),
+    whole("simulation.wind.seed", 0, 1e9, "other gusts for each"),
+    number("simulation.wind.drag", plain, 0, 100,
+           "coefficient of pressure, across the cloth; also in still air"),
+    number("simulation.wind.tangential_drag", plain, 0, 100, "coefficient of friction, along the cloth"),
+    number("simulation.wind.lift", plain, 0, 100, "coefficient of lift, at right angles to the stream"),
     of_kind(KeyKind::boolean, "simulation.self_collision", "cloth against cloth"),
 };
 
@@ -96,6 +104,8 @@ constexpr Key cloth_keys[] = {
     number("cloths.*.material.strain_limit", plain, 0, 10, "no edge stretches by more; 0: no limit"),
     number("cloths.*.material.friction", plain, 0, 10, "Coulomb's coefficient"),
 
+    number("cloths.*.pressure", pressure, -100'000, 100'000, "of a closed cloth, inside over outside"),
+
     of_kind(KeyKind::list, "cloths.*.pins", "vertices that are held; each by corner, box or vertices"),
     of_kind(KeyKind::axis_signs, "cloths.*.pins.*.corner",
             "the vertex nearest to that corner of the unplaced shape; an axis that is not named: its middle"),
@@ -103,9 +113,26 @@ constexpr Key cloth_keys[] = {
     required(numbers("cloths.*.pins.*.box.from", 3, position, "[x, y, z], one corner")),
     required(numbers("cloths.*.pins.*.box.to", 3, position, "[x, y, z], the opposite corner")),
     of_kind(KeyKind::indices, "cloths.*.pins.*.vertices", "numbers of vertices, from 0"),
-    section("cloths.*.pins.*.animate", "turns about the centre of the vertices", "animate"),
+    section("cloths.*.pins.*.animate", "moves them on; turns about the centre of the vertices", "animate"),
+    of_kind(KeyKind::text, "cloths.*.pins.*.follow", "the name of a collider that they move with"),
+    whole("cloths.*.pins.*.from", 0, 100'000,
+          "the frame from which the vertices are held, where they are then"),
     whole("cloths.*.pins.*.until", 1, 100'000, "the frame from which the vertices are free"),
     section("cloths.*.look", "how it is drawn", "look"),
+};
+
+constexpr Key seam_keys[] = {
+    of_kind(KeyKind::list, "seams", "threads that draw pieces of cloth together"),
+    required(
+        of_kind(KeyKind::list, "seams.*.between", "the two sides, with as many vertices, paired in order")),
+    required(of_kind(KeyKind::text, "seams.*.between.*.cloth", "the name of a cloth")),
+    choice("seams.*.between.*.edge", edge_names,
+           "the vertices farthest along that axis of the unplaced shape, from - to + of the other axis"),
+    of_kind(KeyKind::indices, "seams.*.between.*.vertices",
+            "in place of an edge: numbers of vertices, from 0"),
+    of_kind(KeyKind::boolean, "seams.*.between.*.reverse", "true: in the opposite order"),
+    whole("seams.*.from", 0, 100'000, "the frame from which the threads are drawn in"),
+    whole("seams.*.close", 1, 100'000, "the frame from which the seam is closed"),
 };
 
 constexpr Key collider_keys[] = {
@@ -190,7 +217,7 @@ constexpr Key picture_keys[] = {
 
 // The parts one after another.
 constexpr auto all_keys = [] {
-  std::array<Key, std::size(general_keys) + std::size(material_keys) + std::size(cloth_keys) +
+  std::array<Key, std::size(general_keys) + std::size(material_keys) + std::size(cloth_keys) + std::size(seam_keys) +
                       std::size(collider_keys) + std::size(shared_keys) + std::size(measure_keys) +
                       std::size(picture_keys)>
       keys;
@@ -201,6 +228,7 @@ constexpr auto all_keys = [] {
   append(general_keys);
   append(material_keys);
   append(cloth_keys);
+  append(seam_keys);
   append(collider_keys);
   append(shared_keys);
   append(measure_keys);

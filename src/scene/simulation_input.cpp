@@ -7,6 +7,7 @@ SimulationInput simulation_input(const SceneDescription& scene) {
   SimulationInput input;
   for (const ClothDescription& cloth : scene.cloths) input.cloths.push_back(cloth.input);
   for (const ColliderDescription& collider : scene.colliders) input.colliders.push_back(collider.input);
+  input.seams = scene.seams;
   input.gravity = scene.gravity;
   input.wind = scene.wind;
   input.self_collision = scene.self_collision;
@@ -67,10 +68,19 @@ class Fingerprint {
       add(value);
     add(material.warp);
   }
+  void add(const WindInput& wind) {
+    add(wind.velocity);
+    add(static_cast<std::uint64_t>(wind.seed));
+    for (const double value : {wind.gust, wind.gust_size, wind.drag, wind.tangential_drag, wind.lift})
+      add(value);
+  }
   void add(const PinInput& pin) {
     add(pin.vertices);
     add(pin.motion.has_value());
     if (pin.motion) add(*pin.motion);
+    add(pin.from);
+    add(pin.collider.has_value());
+    if (pin.collider) add(static_cast<std::uint64_t>(*pin.collider));
     add(pin.until.has_value());
     if (pin.until) add(*pin.until);
   }
@@ -78,8 +88,15 @@ class Fingerprint {
     add(cloth.mesh);
     add(cloth.start_positions);
     add(cloth.material);
+    add(cloth.pressure);
     add(std::uint64_t{cloth.pins.size()});
     for (const PinInput& pin : cloth.pins) add(pin);
+  }
+  void add(const SeamInput& seam) {
+    for (const int cloth : seam.cloths) add(static_cast<std::uint64_t>(cloth));
+    for (const std::vector<int>& side : seam.vertices) add(side);
+    add(seam.from);
+    add(seam.close);
   }
   void add(const PlaneShape&) {}
   void add(const SphereShape& sphere) { add(sphere.radius); }
@@ -105,11 +122,12 @@ std::uint64_t simulation_fingerprint(const SceneDescription& scene) {
   fingerprint.add(scene.time.fps);
   fingerprint.add(scene.time.step);
   fingerprint.add(scene.gravity);
-  fingerprint.add(scene.wind.velocity);
-  fingerprint.add(scene.wind.drag);
+  fingerprint.add(scene.wind);
   fingerprint.add(scene.self_collision);
   fingerprint.add(std::uint64_t{scene.cloths.size()});
   for (const ClothDescription& cloth : scene.cloths) fingerprint.add(cloth.input);
+  fingerprint.add(std::uint64_t{scene.seams.size()});
+  for (const SeamInput& seam : scene.seams) fingerprint.add(seam);
   fingerprint.add(std::uint64_t{scene.colliders.size()});
   for (const ColliderDescription& collider : scene.colliders) fingerprint.add(collider.input);
   return fingerprint.digest();

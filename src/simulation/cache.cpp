@@ -25,7 +25,7 @@ static_assert(std::endian::native == std::endian::little, "the files hold number
 
 enum class Kind : std::uint32_t { frame = 1, checkpoint = 2 };
 constexpr std::string_view magic("DRAPE\0\0\0", 8);
-constexpr std::uint32_t format_version = 1;
+constexpr std::uint32_t format_version = 2;
 constexpr int compression_level = 1;  // positions hardly compress further, and each frame waits for it
 
 // What stands before the compressed content. `hash` covers the fields after it and the compressed content, so
@@ -232,6 +232,8 @@ void write_checkpoint(const fs::path& folder, std::uint64_t fingerprint, const S
   content.add_all(state.collider_points);
   content.add_all(state.collider_times);
   content.add_all(state.collider_poses);
+  content.add_all(state.grabs);
+  content.add_all(state.seam_lengths);
   write(checkpoint_path(folder), Kind::checkpoint, fingerprint, content.bytes());
 }
 
@@ -249,6 +251,7 @@ std::optional<State> read_checkpoint(const fs::path& folder, std::uint64_t finge
   const bool whole = content.take(frame) && content.take_all(state.positions) &&
                      content.take_all(state.velocities) && content.take_all(state.collider_points) &&
                      content.take_all(state.collider_times) && content.take_all(state.collider_poses) &&
+                     content.take_all(state.grabs) && content.take_all(state.seam_lengths) &&
                      content.at_end();
   const bool makes_sense = whole && frame >= 0 && frame <= std::numeric_limits<int>::max() &&
                            state.positions.size() == state.velocities.size();

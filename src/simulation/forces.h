@@ -7,8 +7,11 @@
 
 namespace drape {
 
-// Gravity and wind, in m/s2, taken as constant over a step. Pinned points have none.
-void external_accelerations(const World& world, const std::vector<Vec3>& positions,
+// The accelerations (m/s2, one for each point) by gravity, air and pressure, to be held for one step that
+// starts with these positions (m) and velocities (m/s) at `time` (s). Zero for pinned points. The air's share
+// never adds relative motion: a step of velocities += world.step * accelerations leaves sum m |v - w|2 no
+// greater than it was, w a wind that blows alike everywhere.
+void external_accelerations(const World& world, double time, const std::vector<Vec3>& positions,
                             const std::vector<Vec3>& velocities, std::vector<Vec3>& accelerations);
 
 }  // namespace drape

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -19,11 +20,14 @@ struct ClothMaterial {
   double friction = 0.3;     // Coulomb's coefficient
 };
 
-// Vertices that follow a motion, or stay where they start. `motion` turns about the centroid of the vertices.
+// Vertices that are held from a time on: they stay where they are then, or move on from there as a motion
+// does, turning about their centroid, or as a collider does. The times are those of frames.
 struct PinInput {
   std::vector<int> vertices;
-  std::optional<RigidMotion> motion;
-  std::optional<double> until;  // seconds; the vertices are free from then on
+  std::optional<RigidMotion> motion = {};
+  std::optional<double> until = {};  // seconds; the vertices are free from then on
+  double from = 0;                   // seconds, before `until`
+  std::optional<int> collider = {};  // the index of the one to follow; in place of a motion
 };
 
 struct ClothInput {
@@ -31,7 +35,17 @@ struct ClothInput {
   TriangleMesh mesh;                  // its positions are the rest shape
   std::vector<Vec3> start_positions;  // one for each point
   ClothMaterial material;
+  double pressure = 0;  // Pa, inside over outside of a closed cloth; it does not change
   std::vector<PinInput> pins;
+};
+
+// Pairs of vertices of two cloths, or of one, that threads draw together; the two lists have the same length,
+// and no vertex is paired with itself. The times are those of frames.
+struct SeamInput {
+  std::array<int, 2> cloths = {};  // indices
+  std::array<std::vector<int>, 2> vertices = {};
+  double from = 0;   // seconds: the threads are drawn in from then on
+  double close = 1;  // seconds, after `from`: the pairs are as near as contact lets them be
 };
 
 struct PlaneShape {};  // y <= 0 of its own frame is solid
@@ -61,14 +75,22 @@ struct ColliderInput {
   double friction = 0.3;  // a contact uses the geometric mean of the two coefficients
 };
 
+// The air, and how it takes hold of cloth (forces.cpp has the formula). The coefficients are those of a flat
+// plate (Hoerner 1965, Fluid-Dynamic Drag); with drag and tangential drag 0 there is no air.
 struct WindInput {
-  Vec3 velocity = Vec3::Zero();  // m/s
-  double drag = 1.0;             // coefficient on the normal component
+  Vec3 velocity = Vec3::Zero();   // m/s, the mean
+  double gust = 0;                // how far gusts depart from the mean, as a share of its speed
+  double gust_size = 2;           // m: the size of the largest whirls
+  int seed = 0;                   // other gusts for each
+  double drag = 1.2;              // of pressure, across the surface
+  double tangential_drag = 0.02;  // of skin friction, along the surface
+  double lift = 0.8;              // at right angles to the stream, more than the pressure's own
 };
 
 struct SimulationInput {
   std::vector<ClothInput> cloths;
   std::vector<ColliderInput> colliders;
+  std::vector<SeamInput> seams;
   Vec3 gravity{0, -9.81, 0};
   WindInput wind;
   bool self_collision = true;

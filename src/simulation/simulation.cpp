@@ -33,7 +33,10 @@ FrameStatistics Simulation::advance_frame() {
   ContactStepResult last;
   int limited = 0;
   const long first_step = static_cast<long>(state.frame) * world.steps_per_frame;
-  update_pins(world, state.frame * world.input.frame_duration);
+  const double start = state.frame * world.input.frame_duration;
+  update_pins(world, start);
+  grab(world.pins, start, state);
+  start_seams(world.seams, start, state.positions, state.seam_lengths);
   scratch.contacts = empty_contact_cache(world.geometry);  // a resumed run must start from the same
   for (int i = 1; i <= world.steps_per_frame; ++i) {
     const double time = static_cast<double>(first_step + i) * world.step;
@@ -63,6 +66,8 @@ std::uint64_t state_hash(const State& state) {
   add_vectors(hasher, state.velocities);
   add_vectors(hasher, state.collider_points);
   hasher.add(state.collider_times.data(), state.collider_times.size() * sizeof(double));
+  add_vectors(hasher, state.grabs);
+  hasher.add(state.seam_lengths.data(), state.seam_lengths.size() * sizeof(double));
   return hasher.digest();
 }
 

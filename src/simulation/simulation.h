@@ -18,6 +18,8 @@ struct State {
   std::vector<double> collider_times;  // seconds: how far each collider has come on its way; a collider that
                                        // cloth holds up lags behind the state's time, and catches up
   std::vector<RigidPose> collider_poses;  // the poses at these times: what is drawn
+  std::vector<Vec3> grabs;                // where the vertices of all pins were grabbed (pins.h); zero before
+  std::vector<double> seam_lengths;       // m: how long the threads of all seams were at first; zero before
 };
 std::uint64_t state_hash(const State& state);
 

@@ -1,6 +1,7 @@
 #include "simulation/step.h"
 
 #include <algorithm>
+#include <span>
 
 #include "core/error.h"
 #include "simulation/forces.h"
@@ -18,32 +19,6 @@ void gather_start(const State& state, Scratch& scratch) {
   scratch.end = scratch.start;
 }
 
-// Pinned points go where their pins go.
-void move_pins(const World& world, double time, Scratch& scratch) {
-  for (const Pin& pin : world.pins)
-    for (std::size_t i = 0; i < pin.vertices.size(); ++i)
-      if (world.pinned[pin.vertices[i]]) scratch.free_positions[pin.vertices[i]] = pin_position(pin, i, time);
-}
-
-// Sections 3 and 4: external forces, and x -> x**. Pieces that nothing holds keep their momenta.
-void move_freely(const World& world, double time, const State& state, Scratch& scratch) {
-  external_accelerations(world, state.positions, state.velocities, scratch.accelerations);
-  scratch.free_positions = state.positions;
-  scratch.free_velocities = state.velocities;
-  move_pins(world, time, scratch);
-  advance_elastic(world.elastic, scratch.accelerations, state.positions, scratch.elastic, scratch.free_positions,
-                  scratch.free_velocities);
-  for (const FreePiece& piece : world.free_pieces)
-    restore_momenta(piece, world.masses, state.positions, state.velocities, scratch.accelerations, world.step,
-                    scratch.free_positions, scratch.free_velocities);
-  std::copy(scratch.free_positions.begin(), scratch.free_positions.end(), scratch.end.begin());
-}
-
-void check_finite(const std::vector<Vec3>& x) {
-  const bool finite = std::all_of(x.begin(), x.end(), [](const Vec3& p) { return p.allFinite(); });
-  if (!finite) throw SimulationError("the positions are no longer finite numbers: try a smaller time step");
-}
-
 // Where the colliders make for: their pose at `time`, or what of it they can catch up with.
 void aim_colliders(const World& world, double time, const State& state, Scratch& scratch) {
   scratch.bodies.assign(world.geometry.bodies.size(), {});
@@ -57,6 +32,34 @@ void aim_colliders(const World& world, double time, const State& state, Scratch&
     body = {pose_at(motion, reached), pose_at(motion, scratch.collider_aims[c])};
     for (const Vec3& local : world.collider_points[c]) scratch.end[point++] = body.end(local);
   }
+}
+
+// Sections 3 and 4: external forces, and x -> x**. Pieces that nothing holds keep their momenta.
+void move_freely(const World& world, double time, const State& state, Scratch& scratch) {
+  external_accelerations(world, time - world.step, state.positions, state.velocities, scratch.accelerations);
+  scratch.free_positions = state.positions;
+  scratch.free_velocities = state.velocities;
+  const auto colliders = std::span<const BodyMotion>(scratch.bodies).subspan(world.input.cloths.size());
+  place_pinned(world.pins, time - world.step, time, state, colliders, scratch.free_positions);
+  advance_elastic(world.elastic, scratch.accelerations, state.positions, scratch.elastic, scratch.free_positions,
+                  scratch.free_velocities);
+  for (const FreePiece& piece : world.free_pieces)
+    restore_momenta(piece, world.masses, state.positions, state.velocities, scratch.accelerations, world.step,
+                    scratch.free_positions, scratch.free_velocities);
+}
+
+// What seams pull shut is way and velocity both.
+void sew_shut(const World& world, double time, const State& state, Scratch& scratch) {
+  if (world.seams.seams.empty()) return;
+  scratch.unsewn_positions = scratch.free_positions;
+  pull_seams(world.seams, state.seam_lengths, world.geometry.inverse_masses, time, scratch.free_positions);
+  for (std::size_t v = 0; v < state.positions.size(); ++v)
+    scratch.free_velocities[v] += (scratch.free_positions[v] - scratch.unsewn_positions[v]) / world.step;
+}
+
+void check_finite(const std::vector<Vec3>& x) {
+  const bool finite = std::all_of(x.begin(), x.end(), [](const Vec3& p) { return p.allFinite(); });
+  if (!finite) throw SimulationError("the positions are no longer finite numbers: try a smaller time step");
 }
 
 // Re-integration (section 5): what contact has moved is velocity too, but for its push; colliders to where they came.
@@ -79,12 +82,16 @@ void integrate(const World& world, const ContactStepResult& contact, State& stat
 
 ContactStepResult advance_step(const World& world, double time, State& state, Scratch& scratch,
                                Profile& profile) {
-  timed(profile, Phase::elastic, [&] {
+  timed(profile, Phase::other, [&] {
     gather_start(state, scratch);
+    aim_colliders(world, time, state, scratch);
+  });
+  timed(profile, Phase::elastic, [&] {
     move_freely(world, time, state, scratch);
+    sew_shut(world, time, state, scratch);
+    std::copy(scratch.free_positions.begin(), scratch.free_positions.end(), scratch.end.begin());
   });
   check_finite(scratch.end);
-  timed(profile, Phase::other, [&] { aim_colliders(world, time, state, scratch); });
   const ContactStepResult contact = step_contacts(world.geometry, world.contact_settings, scratch.bodies,
                                                   scratch.start, scratch.contacts, profile, scratch.end);
   check_finite(scratch.end);

@@ -15,6 +15,7 @@ struct Scratch {
   std::vector<Vec3> accelerations;
   std::vector<Vec3> free_velocities;   // of the cloths' points, where there is no contact
   std::vector<Vec3> free_positions;    // x**
+  std::vector<Vec3> unsewn_positions;
   std::vector<BodyMotion> bodies;
   std::vector<double> collider_aims;  // seconds: the time on its way that each collider makes for
   ElasticScratch elastic;

@@ -6,6 +6,8 @@
 
 #include "mesh/topology.h"
 #include "simulation/colliders.h"
+#include "simulation/pressure.h"
+#include "simulation/sewing.h"
 
 namespace drape {
 namespace {
@@ -91,35 +93,6 @@ double longest_contact_step(const SimulationInput& input) {
   return std::sqrt(2 * 0.1 * thinnest / std::max(input.gravity.norm(), 1e-9));
 }
 
-std::vector<Pin> build_pins(const SimulationInput& input) {
-  std::vector<Pin> pins;
-  int first = 0;
-  for (const ClothInput& cloth : input.cloths) {
-    for (const PinInput& pin_input : cloth.pins) {
-      Pin pin{{}, {}, Vec3::Zero(), pin_input.motion, pin_input.until};
-      for (const int v : pin_input.vertices) {
-        pin.vertices.push_back(first + v);
-        pin.starts.push_back(cloth.start_positions[v]);
-        pin.centroid += cloth.start_positions[v] / static_cast<double>(pin_input.vertices.size());
-      }
-      pins.push_back(std::move(pin));
-    }
-    first += static_cast<int>(cloth.mesh.positions.size());
-  }
-  return pins;
-}
-
-// Times are multiples of a frame's duration: what differs by rounding is the same frame.
-bool holds(const Pin& pin, double time) { return !pin.until || time < *pin.until - 1e-9; }
-
-std::vector<char> pinned_vertices(const World& world, double time) {
-  std::vector<char> pinned(world.masses.size(), 0);
-  for (const Pin& pin : world.pins)
-    if (holds(pin, time))
-      for (const int v : pin.vertices) pinned[v] = 1;
-  return pinned;
-}
-
 // The connected pieces that no pin holds.
 std::vector<FreePiece> free_pieces(const World& world) {
   const int count = static_cast<int>(world.masses.size());
@@ -162,9 +135,11 @@ World build_world(SimulationInput input) {
   world.steps_per_frame = static_cast<int>(std::ceil(world.input.frame_duration / longest - 1e-9));
   world.step = world.input.frame_duration / world.steps_per_frame;
   world.masses = lumped_masses(world.sheet);
-  world.pins = build_pins(world.input);
+  world.pressures = triangle_pressures(world.input.cloths);
+  world.pins = build_pins(world.input.cloths);
   build_geometry(world);
-  build_pinned_parts(world, pinned_vertices(world, 0));
+  world.seams = sew(world.input, world.geometry);
+  build_pinned_parts(world, pinned_vertices(world.pins, world.masses.size(), 0));
   return world;
 }
 
@@ -179,18 +154,14 @@ State initial_state(const World& world) {
     state.collider_times.push_back(0);
     state.collider_poses.push_back(pose);
   }
+  grab(world.pins, 0, state);
+  start_seams(world.seams, 0, state.positions, state.seam_lengths);
   return state;
 }
 
 void update_pins(World& world, double time) {
-  std::vector<char> pinned = pinned_vertices(world, time);
+  std::vector<char> pinned = pinned_vertices(world.pins, world.masses.size(), time);
   if (pinned != world.pinned) build_pinned_parts(world, std::move(pinned));
-}
-
-Vec3 pin_position(const Pin& pin, std::size_t i, double time) {
-  if (!pin.motion) return pin.starts[i];
-  const RigidPose pose = pose_at(*pin.motion, time);
-  return pin.centroid + pose(pin.starts[i] - pin.centroid);
 }
 
 }  // namespace drape

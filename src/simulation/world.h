@@ -6,20 +6,13 @@
 #include "contact/contact_step.h"
 #include "deformation/elastic_model.h"
 #include "deformation/momentum.h"
+#include "deformation/seams.h"
 #include "deformation/sheet.h"
 #include "simulation/input.h"
+#include "simulation/pins.h"
 #include "simulation/simulation.h"
 
 namespace drape {
-
-// One pin: where its vertices started, and how they go on.
-struct Pin {
-  std::vector<int> vertices;  // of the simulation
-  std::vector<Vec3> starts;
-  Vec3 centroid;
-  std::optional<RigidMotion> motion;
-  std::optional<double> until;  // seconds
-};
 
 // What is fixed once built (the part that depends on the pins is rebuilt when one lets go).
 struct World {
@@ -29,7 +22,9 @@ struct World {
 
   Sheet sheet;  // all cloths as one mesh
   std::vector<double> masses;
+  std::vector<double> pressures;  // Pa along each triangle's normal; empty where no cloth has any
   std::vector<Pin> pins;
+  SeamStage seams;
   std::vector<std::vector<Vec3>> collider_points;  // of each collider, in its own frame
   ContactGeometry geometry;
   ContactSettings contact_settings;
@@ -44,7 +39,5 @@ State initial_state(const World& world);
 
 // Brings all that depends on which pins hold up to `time`; does nothing where none has changed.
 void update_pins(World& world, double time);
-
-Vec3 pin_position(const Pin& pin, std::size_t i, double time);
 
 }  // namespace drape

@@ -17,6 +17,11 @@ TEST(Fingerprint, ChangesWithAllThatTheMotionDependsOn) {
                                             "simulation.gravity=[0, -9.8, 0]",
                                             "simulation.wind.velocity=[0, 0, 1]",
                                             "simulation.wind.drag=2",
+                                            "simulation.wind.gust=0.1",
+                                            "simulation.wind.gust_size=3",
+                                            "simulation.wind.seed=3",
+                                            "simulation.wind.tangential_drag=0.1",
+                                            "simulation.wind.lift=0.1",
                                             "simulation.self_collision=false",
                                             "cloths.a.grid.size=[1, 2]",
                                             "cloths.a.grid.points=[3, 4]",
@@ -32,6 +37,8 @@ TEST(Fingerprint, ChangesWithAllThatTheMotionDependsOn) {
                                             "cloths.a.pins=[]",
                                             "cloths.a.pins.0.corner=[+x, -z]",
                                             "cloths.a.pins.0.until=5",
+                                            "cloths.a.pins.0.from=5",
+                                            "cloths.a.pins.0.follow=c",
                                             "cloths.a.pins.0.animate={rotate_y: [[0, 0], [1, 1]]}",
                                             "colliders={}",
                                             "colliders.c.sphere.radius=2",
@@ -46,6 +53,26 @@ TEST(Fingerprint, ChangesWithAllThatTheMotionDependsOn) {
   for (const std::string& change : changes)
     EXPECT_TRUE(fingerprints.insert(simulation_fingerprint(load_text(scene_text, {change}))).second)
         << change;
+}
+
+TEST(Fingerprint, ChangesWithTheSeams) {
+  const std::string seams =
+      "seams: [{between: [{cloth: a, edge: -x}, {cloth: a, edge: +x, reverse: false}], from: 0, close: 9}]\n";
+  std::set<std::uint64_t> fingerprints = {simulation_fingerprint(load_text(scene_text))};
+  for (const std::string change :
+       {"name=same", "seams.0.from=2", "seams.0.close=10", "seams.0.between.1.reverse=true",
+        "seams.0.between.0={cloth: a, edge: -z}"})
+    EXPECT_TRUE(fingerprints.insert(simulation_fingerprint(load_text(scene_text + seams, {change}))).second)
+        << change;
+}
+
+TEST(Fingerprint, ChangesWithThePressureOfAClosedCloth) {
+  const auto scene = std::filesystem::path(DRAPE_SOURCE_DIR) / "tests/scene/bad/pressure.yaml";
+  const auto with_pressure = [&](const std::string& pressure) {
+    return simulation_fingerprint(
+        load_scene(scene, {"cloths.napkin.pressure=0", "cloths.cushion.pressure=" + pressure}));
+  };
+  EXPECT_NE(with_pressure("1 hPa"), with_pressure("2 hPa"));
 }
 
 TEST(Fingerprint, IsTheSameForWhatIsOnlyDrawn) {

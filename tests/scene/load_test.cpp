@@ -69,6 +69,35 @@ TEST(Load, CountsTheTimeOfPinsInFrames) {
   EXPECT_EQ(pin.motion->translate[0], (Track{{0.5, 0}, {1, 0}}));
 }
 
+TEST(Load, FindsTheColliderThatAPinFollowsAndTheFrameOfTheGrab) {
+  const auto scene = load_text(
+      "version: 1\ntime: {fps: 10}\ncloths: {a: {grid: {size: [2, 2], points: [3, 3]}, "
+      "pins: [{vertices: [3], follow: hand, from: 5}]}}\n"
+      "colliders: {table: {plane: {}}, hand: {sphere: {radius: 0.1}}}\n");
+  const PinInput& pin = scene.cloths.at(0).input.pins.at(0);
+  EXPECT_EQ(pin.collider, 1);
+  EXPECT_EQ(pin.from, 0.5);
+}
+
+TEST(Load, LetsOnePinTakeOverFromAnother) {
+  const ClothInput cloth = cloth_with("pins: [{vertices: [3], until: 5}, {vertices: [3, 4], from: 5}]");
+  EXPECT_EQ(cloth.pins.size(), 2u);
+}
+
+TEST(Load, PairsTheVerticesOfASeam) {
+  const auto scene = load_text(
+      "version: 1\ntime: {fps: 10}\n"
+      "cloths: {a: {grid: {size: [2, 2], points: [3, 3]}}, b: {grid: {size: [2, 2], points: [3, 3]}}}\n"
+      "seams: [{between: [{cloth: b, edge: +x}, {cloth: a, edge: -z, reverse: true}], from: 5, close: "
+      "20}]\n");
+  const SeamInput& seam = scene.seams.at(0);
+  EXPECT_EQ(seam.cloths, (std::array{1, 0}));
+  EXPECT_EQ(seam.vertices[0], (std::vector{2, 5, 8}));
+  EXPECT_EQ(seam.vertices[1], (std::vector{2, 1, 0}));
+  EXPECT_EQ(seam.from, 0.5);
+  EXPECT_EQ(seam.close, 2);
+}
+
 TEST(Load, ReadsEveryShape) {
   EXPECT_EQ(collider_with("plane: {y: 2}").motion.at.y(), 2);
   EXPECT_EQ(std::get<SphereShape>(collider_with("sphere: {radius: 30 cm}").shape).radius, 0.3);

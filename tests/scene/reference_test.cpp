@@ -69,7 +69,12 @@ TEST(Reference, HasTheDefaultsOfTheSimulation) {
   EXPECT_EQ(scene.name, "reference");
   EXPECT_EQ(scene.gravity, standard.gravity);
   EXPECT_EQ(scene.wind.velocity, standard.wind.velocity);
+  EXPECT_EQ(scene.wind.gust, standard.wind.gust);
+  EXPECT_EQ(scene.wind.gust_size, standard.wind.gust_size);
+  EXPECT_EQ(scene.wind.seed, standard.wind.seed);
   EXPECT_EQ(scene.wind.drag, standard.wind.drag);
+  EXPECT_EQ(scene.wind.tangential_drag, standard.wind.tangential_drag);
+  EXPECT_EQ(scene.wind.lift, standard.wind.lift);
   EXPECT_EQ(scene.self_collision, standard.self_collision);
 }
 

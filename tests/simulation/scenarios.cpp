@@ -27,6 +27,16 @@ SimulationInput simulate_alone(ClothInput cloth) {
   return input;
 }
 
+void remove_air(SimulationInput& input) { input.wind.drag = input.wind.tangential_drag = 0; }
+
+ClothInput ball(double radius, int segments) {
+  ClothInput cloth;
+  cloth.name = "ball";
+  cloth.mesh = make_sphere(radius, segments, segments / 2);
+  cloth.start_positions = cloth.mesh.positions;
+  return cloth;
+}
+
 ColliderInput ground() { return {"ground", PlaneShape{}, {}, 0.3}; }
 
 static std::vector<double> masses(const Simulation& simulation) {

@@ -16,6 +16,11 @@ SimulationInput simulate_alone(ClothInput cloth);
 
 ColliderInput ground();
 
+void remove_air(SimulationInput& input);
+
+// A closed sphere of that radius round the origin.
+ClothInput ball(double radius, int segments);
+
 Vec3 linear_momentum(const Simulation& simulation);
 Vec3 angular_momentum(const Simulation& simulation);  // about the origin
 

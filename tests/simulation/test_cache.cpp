@@ -29,6 +29,8 @@ State a_state() {
   state.collider_points = {{1, 2, 3}, {4, 5, 6}};
   state.collider_times = {0.1};
   state.collider_poses = {a_pose()};
+  state.grabs = {{7, 8, 9}};
+  state.seam_lengths = {0.5, 0.25};
   for (int i = 0; i < 500; ++i) {
     state.positions.emplace_back(i / 3.0, -i, 1e-300 * i);
     state.velocities.emplace_back(i, 0.1 * i, -0.0);
@@ -175,10 +177,10 @@ TEST(CachedFrames, SizesAreNotBelieved) {
 TEST(CachedFrames, OfAnotherVersion) {
   const TemporaryFolder folder;
   write_cached_frame(folder.path(), fingerprint, a_frame());
-  folder.write("frame_0007.drape", forged(read_file(folder / "frame_0007.drape"), 16, 2, 4));
+  folder.write("frame_0007.drape", forged(read_file(folder / "frame_0007.drape"), 16, 1, 4));
   EXPECT_EQ(failure(folder),
             (folder / "frame_0007.drape").string() +
-                ": has version 2 of the cache's format, and this program reads 1; run 'drape "
+                ": has version 1 of the cache's format, and this program reads 2; run 'drape "
                 "simulate' again");
 }
 
@@ -192,6 +194,8 @@ TEST(Checkpoints, ComeBackBitForBit) {
   EXPECT_EQ(same->positions, state.positions);
   EXPECT_EQ(same->collider_points, state.collider_points);
   EXPECT_EQ(same->collider_times, state.collider_times);
+  EXPECT_EQ(same->grabs, state.grabs);
+  EXPECT_EQ(same->seam_lengths, state.seam_lengths);
   ASSERT_EQ(same->velocities.size(), state.velocities.size());
   EXPECT_EQ(
       std::memcmp(same->velocities.data(), state.velocities.data(), state.velocities.size() * sizeof(Vec3)),
@@ -213,7 +217,7 @@ TEST(Checkpoints, NoneThereOrOfSomethingElse) {
   EXPECT_FALSE(read_checkpoint(folder.path(), fingerprint));
   write_checkpoint(folder.path(), fingerprint, a_state());
   EXPECT_FALSE(read_checkpoint(folder.path(), fingerprint + 1));
-  folder.write("checkpoint.drape", forged(read_file(folder / "checkpoint.drape"), 16, 2, 4));
+  folder.write("checkpoint.drape", forged(read_file(folder / "checkpoint.drape"), 16, 1, 4));
   EXPECT_FALSE(read_checkpoint(folder.path(), fingerprint));
 }
 

@@ -131,6 +131,7 @@ TEST(ContactScenes, AFastSphereDoesNotPassThroughAPinnedSheet) {
 
 TEST(ContactScenes, TwoSheetsThatMeetKeepTheirMomentum) {
   SimulationInput input;
+  remove_air(input);
   input.gravity.setZero();
   input.cloths = {sheet(0.3, 12, 0), sheet(0.2, 9, 0.02)};
   Simulation simulation(input);

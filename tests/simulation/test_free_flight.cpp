@@ -11,6 +11,7 @@ using namespace test;
 
 TEST(FreeFlight, FallsAsGravitySaysToRounding) {
   SimulationInput input = simulate_alone(sheet(1, 12, 0));
+  remove_air(input);
   Simulation simulation(input);
   const double h = input.frame_duration / simulation.steps_per_frame();
   advance(simulation, 30);
@@ -27,6 +28,7 @@ TEST(FreeFlight, FallsAsGravitySaysToRounding) {
 
 Simulation tumbling_sheet() {
   SimulationInput input = simulate_alone(sheet(1, 16, 0));
+  remove_air(input);
   input.gravity.setZero();
   Simulation simulation(input);
   State state = simulation.state();
@@ -65,6 +67,7 @@ TEST(FreeFlight, NeverGainsEnergy) {
 
 TEST(FreeFlight, OnePieceDoesNotPullAnother) {
   SimulationInput input;
+  remove_air(input);
   input.gravity.setZero();
   input.cloths = {sheet(1, 8, 0), sheet(1, 8, 1)};
   Simulation simulation(input);

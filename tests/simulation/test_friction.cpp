@@ -22,6 +22,7 @@ double speed_on_slope(double friction) {
   for (Vec3& p : cloth.start_positions) p = pose(p + Vec3(0, cloth.material.thickness, 0));
   SimulationInput input = simulate_alone(cloth);
   input.colliders.push_back(plane);
+  remove_air(input);
   Simulation simulation(input);
   advance(simulation, 30);
   Vec3 mean = Vec3::Zero();

@@ -68,8 +68,8 @@ TEST(Hanging, APinLetsGoAtItsTime) {
 
 TEST(Hanging, AHeavyRubberSheetStretchesAsItsStiffnessSays) {
   SimulationInput input = hanging_sheet(24, [](int, int row) { return row == 23; });
-  input.cloths[0].material.density = 2;
-  input.cloths[0].material.stretch_stiffness = 1000;
+  input.cloths[0].material.elastic.density = 2;
+  input.cloths[0].material.elastic.stretch_stiffness = {1000, 1000};
   Simulation simulation(input);
   const FrameStatistics statistics = advance(simulation, 240);
   // At the top the weight of a square metre of 2 kg hangs on a metre: a strain of 2 * 9.81 / 1000 for one

@@ -1,0 +1,79 @@
+#include "simulation/pins.h"
+
+#include <cmath>
+
+namespace drape {
+namespace {
+
+// Times are multiples of a frame's duration: what differs by rounding is the same frame.
+constexpr double same_time = 1e-9;
+
+bool holds(const Pin& pin, double time) {
+  return time > pin.from - same_time && (!pin.until || time < *pin.until - same_time);
+}
+
+Vec3 into_frame(const RigidPose& frame, const Vec3& point) {
+  return frame.rotation.transpose() * (point - frame.translation);
+}
+
+// Where the grabbed points go: by what the motion has changed since the grab, turning about their centroid.
+RigidPose way_since_grab(const Pin& pin, double time, std::span<const Vec3> grabs) {
+  Vec3 centroid = Vec3::Zero();
+  for (const Vec3& point : grabs) centroid += point / static_cast<double>(grabs.size());
+  const RigidPose now = pose_at(*pin.motion, time), then = pose_at(*pin.motion, pin.from);
+  const Mat3 turn = now.rotation * then.rotation.transpose();
+  return {turn, centroid - turn * centroid + now.translation - then.translation};
+}
+
+}  // namespace
+
+std::vector<Pin> build_pins(const std::vector<ClothInput>& cloths) {
+  std::vector<Pin> pins;
+  int first = 0;
+  std::size_t grabs = 0;
+  for (const ClothInput& cloth : cloths) {
+    for (const PinInput& input : cloth.pins) {
+      Pin pin{{}, grabs, input.from, input.until, input.motion, input.collider};
+      for (const int v : input.vertices) pin.vertices.push_back(first + v);
+      grabs += pin.vertices.size();
+      pins.push_back(std::move(pin));
+    }
+    first += static_cast<int>(cloth.mesh.positions.size());
+  }
+  return pins;
+}
+
+std::vector<char> pinned_vertices(const std::vector<Pin>& pins, std::size_t count, double time) {
+  std::vector<char> pinned(count, 0);
+  for (const Pin& pin : pins)
+    if (holds(pin, time))
+      for (const int v : pin.vertices) pinned[v] = 1;
+  return pinned;
+}
+
+void grab(const std::vector<Pin>& pins, double time, State& state) {
+  for (const Pin& pin : pins) {
+    state.grabs.resize(std::max(state.grabs.size(), pin.first_grab + pin.vertices.size()), Vec3::Zero());
+    if (std::abs(time - pin.from) > same_time) continue;
+    for (std::size_t i = 0; i < pin.vertices.size(); ++i) {
+      const Vec3& point = state.positions[pin.vertices[i]];
+      state.grabs[pin.first_grab + i] =
+          pin.collider ? into_frame(state.collider_poses[*pin.collider], point) : point;
+    }
+  }
+}
+
+void place_pinned(const std::vector<Pin>& pins, double begin, double end, const State& state,
+                  std::span<const BodyMotion> colliders, std::vector<Vec3>& x) {
+  for (const Pin& pin : pins) {
+    if (!holds(pin, begin)) continue;
+    const auto grabs = std::span(state.grabs).subspan(pin.first_grab, pin.vertices.size());
+    const bool rests = !pin.motion && !pin.collider;
+    const RigidPose way = rests          ? RigidPose()
+                          : pin.collider ? colliders[*pin.collider].end
+                                         : way_since_grab(pin, end, grabs);
+    for (std::size_t i = 0; i < grabs.size(); ++i) x[pin.vertices[i]] = rests ? grabs[i] : way(grabs[i]);
+  }
+}
+
+}  // namespace drape
