@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <numeric>
 #include <set>
 
 #include "deformation/bending.h"
@@ -198,6 +199,27 @@ TEST(Bending, ATwistStoresWhatAnIsotropicPlateDoes) {
                         [](const Vec3& p) { return Vec3(p.x(), twist * p.x() * p.z(), p.z()); });
     EXPECT_NEAR(stored / (rigidity * twist * twist / 1.25), 1, 0.01);
   }
+}
+
+// Uniform curvature from a clamp on: the moment is the same along the sheet, up to the clamp, and needs no
+// force but at the free end. With a softer clamp there would be one in the first row, and in the second.
+TEST(Bending, ASheetBentUniformlyFromItsClampIsInBalance) {
+  constexpr double rigidity = 3e-4, curvature = 0.3;
+  const int columns = 11;
+  const TriangleMesh mesh =
+      make_grid({1, 1.2}, {columns, 13});  // the clamp: rows 0 to 6, of which row 6 is at z = 0
+  std::vector<int> pins(7 * columns);
+  std::iota(pins.begin(), pins.end(), 0);
+  const Sheet sheet = sheet_of(mesh, {.bend_stiffness = {rigidity, rigidity}});
+  const std::vector<double> masses(mesh.positions.size(), 1);
+  std::vector<Vec3> x = mesh.positions;
+  for (Vec3& p : x)
+    if (p.z() > 0) p = cylinder(curvature, Vec3(1, 0, 0))(p);
+  const std::vector<Vec3> d = displacements(bending_of(sheet, masses, short_time_squared, pins), x);
+  const double force =
+      rigidity * curvature;  // of a moment that ends in one row, B k width / edge with width = edge
+  for (int row = 7; row < 11; ++row)
+    EXPECT_LT(d[row * columns + 5].norm() / short_time_squared, 0.02 * force) << "row " << row;
 }
 
 TEST(Bending, AClusterKeepsBothMomenta) {
