@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "deformation/fibres.h"
-#include "deformation/fibres_kernel.h"
 #include "sheets.h"
 
 namespace drape {
