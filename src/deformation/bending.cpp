@@ -62,6 +62,14 @@ Eigen::MatrixXd affine_complement(const Cluster& cluster) {
   return q.rightCols(q.cols() - 3).transpose();
 }
 
+// Six points near a conic leave one curvature nearly undetermined: it gets no less than this share of the whole
+// compliance. All others keep theirs, or thin triangles and stiff warps would bend too easily.
+Eigen::MatrixXd at_least(double share, const Eigen::MatrixXd& compliance) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(compliance);
+  const Eigen::VectorXd values = solver.eigenvalues().cwiseMax(share * compliance.trace());
+  return solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose();
+}
+
 struct ClusterConstants {
   std::array<double, 18> weights{};
   std::array<double, 3> rest{};
@@ -73,10 +81,7 @@ ClusterConstants cluster_constants(const Cluster& cluster, const Mat3& bending, 
                                    const Eigen::VectorXd& inverse_masses) {
   const Eigen::MatrixXd q = affine_complement(cluster);
   const Eigen::MatrixXd g = cluster.unit * cluster.unit * q * cluster.quadratic;
-  Eigen::MatrixXd compliance = g * bending.inverse() * g.transpose();
-  // Six points near a conic leave one curvature nearly undetermined: it gets no more than this stiffness.
-  constexpr double least_compliance = 1e-3;
-  compliance.diagonal().array() += least_compliance * compliance.trace();
+  const Eigen::MatrixXd compliance = at_least(1e-3, g * bending.inverse() * g.transpose());
   const Eigen::MatrixXd response = q * inverse_masses.asDiagonal() * q.transpose();
   const Eigen::MatrixXd step = (compliance / area_duration_squared + response).inverse();
   const Eigen::MatrixXd scaled = step.llt().matrixL().transpose() * q;

@@ -110,12 +110,31 @@ std::vector<char> convex_pieces(const Sheet& sheet, const std::vector<int>& piec
   return convex;
 }
 
-// How far the material stretches between a pin and a point at `distance`, where `weight` hangs on the pin: the
-// tension on a quarter circle of radius r is weight / (pi r / 2), summed up from an edge's length on.
-// (Along warp or weft that is the stretch stiffness, on the bias mostly the shear stiffness.)
-double slack(double weight, double stiffness, double edge_length, double distance) {
-  const double reach = std::max(distance / edge_length, 1.0);
-  return weight / (stiffness * std::numbers::pi / 2) * (1 + std::log(reach));
+// How far the material stretches between a pin and a point at `distance`, where `weight` hangs on the pin: at r the
+// tension is weight over the front, a quarter circle of radius r that is no longer than the piece is wide, summed up
+// from an edge's length on. (Along warp or weft that is the stretch stiffness, on the bias mostly the shear stiffness.)
+double slack(double weight, double stiffness, double edge_length, double distance, double width) {
+  constexpr double quarter = std::numbers::pi / 2;
+  const double reach = std::max(distance, edge_length), whole_width = std::max(width / quarter, edge_length);
+  const double first_edge = std::max(1 / quarter, edge_length / width);
+  const double arcs = std::log(std::min(reach, whole_width) / edge_length) / quarter;
+  return weight / stiffness * (first_edge + arcs + std::max(reach - whole_width, 0.0) / width);
+}
+
+// Of each piece, in m2.
+std::vector<double> piece_areas(const Sheet& sheet, const std::vector<int>& piece_of, std::size_t pieces) {
+  std::vector<double> areas(pieces, 0.0);
+  for (int t = 0; t < static_cast<int>(sheet.triangles.size()); ++t)
+    areas[piece_of[sheet.triangles[t][0]]] += rest_area(sheet, t);
+  return areas;
+}
+
+// The mean length of the fronts that a group's reach passes.
+double mean_width(const Reach& reach, double area) {
+  double farthest = 0;
+  for (const double distance : reach.distance)
+    if (std::isfinite(distance)) farthest = std::max(farthest, distance);
+  return area / farthest;
 }
 
 // In N/m along a direction of the rest shape, free to contract across; on the bias where there is none in its plane.
@@ -137,9 +156,11 @@ TetherStage build_tethers(const Sheet& sheet, const std::vector<double>& masses,
   const std::vector<char> convex = convex_pieces(sheet, piece_of);
   std::vector<double> weights(convex.size(), 0.0);
   for (std::size_t v = 0; v < x.size(); ++v) weights[piece_of[v]] += gravity * masses[v];
+  const std::vector<double> areas = piece_areas(sheet, piece_of, weights.size());
   std::vector<std::vector<Tether>> of_vertex(x.size());
   for (const std::vector<int>& group : pinned_groups(graph, pinned)) {
     const Reach reach = reach_of(graph, group);
+    const double width = mean_width(reach, areas[piece_of[group[0]]]);
     for (int v = 0; v < static_cast<int>(x.size()); ++v) {
       const int pin = reach.source[v];
       if (pin < 0 || pinned[v]) continue;
@@ -149,7 +170,7 @@ TetherStage build_tethers(const Sheet& sheet, const std::vector<double>& masses,
       const std::optional<Vec3> direction = convex[piece] ? std::optional<Vec3>((x[v] - x[pin]) / way) : std::nullopt;
       const double stiffness = stiffness_along(sheet, sheet.topology.vertex_triangles[sheet.topology.vertex_triangle_begin[v]], direction);
       of_vertex[v].push_back(
-          {v, pin, static_cast<float>(way + slack(weights[piece], stiffness, edge_length, way))});
+          {v, pin, static_cast<float>(way + slack(weights[piece], stiffness, edge_length, way, width))});
     }
   }
   TetherStage stage{{}, {0}};

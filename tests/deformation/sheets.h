@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
 
+#include "core/lanes.h"
 #include "deformation/sheet.h"
 #include "mesh/primitives.h"
 
@@ -35,11 +37,13 @@ class Random {
   std::mt19937 engine_;
 };
 
-inline Sheet sheet_of(const TriangleMesh& mesh, const ElasticMaterial& material = {}) {
+inline Sheet sheet_of(const TriangleMesh& mesh, const ElasticMaterial& material = {},
+                      const Vec3& warp = Vec3(1, 0, 0)) {
   return {mesh.positions,
           mesh.triangles,
           std::vector<int>(mesh.triangles.size(), 0),
           {material},
+          {warp},
           build_topology(static_cast<int>(mesh.positions.size()), mesh.triangles)};
 }
 
@@ -48,6 +52,21 @@ inline TriangleMesh jittered_grid(int points, unsigned seed = 1) {
   Random random(seed);
   TriangleMesh mesh = make_grid({0.1 * (points - 1), 0.1 * (points - 1)}, {points, points});
   for (Vec3& x : mesh.positions) x += Vec3(random.between(-0.03, 0.03), 0, random.between(-0.03, 0.03));
+  return mesh;
+}
+
+// A grid whose cells are cut along one diagonal and the other by turns.
+inline TriangleMesh alternating_grid(const std::array<double, 2>& size, const std::array<int, 2>& points) {
+  TriangleMesh mesh = make_grid(size, points);
+  mesh.triangles.clear();
+  for (int row = 0; row + 1 < points[1]; ++row)
+    for (int column = 0; column + 1 < points[0]; ++column) {
+      const int a = row * points[0] + column, b = a + 1, c = a + points[0], d = c + 1;
+      if ((row + column) % 2 == 0)
+        mesh.triangles.insert(mesh.triangles.end(), {Triangle{a, c, d}, Triangle{a, d, b}});
+      else
+        mesh.triangles.insert(mesh.triangles.end(), {Triangle{a, c, b}, Triangle{b, c, d}});
+    }
   return mesh;
 }
 
@@ -87,6 +106,44 @@ inline std::vector<Vec3> moved(std::vector<Vec3> x, const Mat3& matrix, const Ve
 inline std::vector<Vec3> shaken(std::vector<Vec3> x, double size, Random& random) {
   for (Vec3& point : x) point += random.vector(size);
   return x;
+}
+
+inline std::vector<Vec3> zeros(std::size_t count) { return std::vector<Vec3>(count, Vec3::Zero()); }
+
+inline std::vector<Vec3> sum_of(std::vector<Vec3> a, const std::vector<Vec3>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] += b[i];
+  return a;
+}
+
+inline double longest(const std::vector<Vec3>& vectors) {
+  double length = 0;
+  for (const Vec3& vector : vectors) length = std::max(length, vector.norm());
+  return length;
+}
+
+inline bool all_finite(const std::vector<Vec3>& vectors) {
+  return std::all_of(vectors.begin(), vectors.end(), [](const Vec3& vector) { return vector.allFinite(); });
+}
+
+// All points in one patch, whose fillers need one more point than the mesh has.
+inline std::vector<int> one_patch(std::size_t points) { return std::vector<int>(points, 0); }
+
+// What pulls work on: vectors with inverse masses, and a filler.
+inline std::vector<Point4> points_of(const std::vector<Vec3>& vectors,
+                                     const std::vector<double>& inverse_masses) {
+  std::vector<Point4> points;
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    const Eigen::Vector3f v = vectors[i].cast<float>();
+    points.push_back({v.x(), v.y(), v.z(), static_cast<float>(inverse_masses[i])});
+  }
+  points.push_back({});
+  return points;
+}
+
+inline std::vector<Vec3> vectors_of(const std::vector<Point4>& points, std::size_t count) {
+  std::vector<Vec3> vectors;
+  for (std::size_t i = 0; i < count; ++i) vectors.emplace_back(points[i].x, points[i].y, points[i].z);
+  return vectors;
 }
 
 inline std::vector<double> inverses(const std::vector<double>& masses) {

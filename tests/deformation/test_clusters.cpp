@@ -11,7 +11,6 @@
 namespace drape {
 namespace {
 
-using test::Random;
 using test::sheet_of;
 using Cluster = std::array<int, 3>;
 
@@ -25,11 +24,12 @@ Sheet sheet_of_many_materials(const TriangleMesh& mesh) {
   Sheet sheet = sheet_of(mesh);
   std::iota(sheet.triangle_materials.begin(), sheet.triangle_materials.end(), 0);
   sheet.materials.resize(sheet.triangles.size());
+  sheet.warp_directions.resize(sheet.triangles.size(), Vec3(1, 0, 0));
   return sheet;
 }
 
 std::vector<Cluster> both_kinds(const Sheet& sheet) {
-  std::vector<Cluster> clusters = own_triangles(sheet);
+  std::vector<Cluster> clusters = sheet.triangles;
   const std::vector<Cluster> outer = outer_corners_of(sheet);
   clusters.insert(clusters.end(), outer.begin(), outer.end());
   return clusters;
@@ -91,11 +91,6 @@ TEST(Clusters, EveryOuterClusterHasThreePointsAndIsWellShaped) {
     }
 }
 
-TEST(Clusters, OwnTrianglesAreOneEach) {
-  const TriangleMesh mesh = test::jittered_grid(6);
-  EXPECT_EQ(own_triangles(sheet_of(mesh)), mesh.triangles);
-}
-
 TEST(Clusters, InsideAGridTheOuterOnesAreTheThreeOppositeCorners) {
   const Sheet sheet = sheet_of_many_materials(make_grid({1, 1}, {8, 8}));
   std::vector<int> triangles;
@@ -147,96 +142,6 @@ TEST(Clusters, ShapeIsOneForEquilateralAndZeroForCollinearPoints) {
   EXPECT_EQ(triangle_shape({0, 0, 0}, {1, 0, 0}, {3, 0, 0}), 0);
   EXPECT_EQ(triangle_shape({1, 1, 1}, {1, 1, 1}, {1, 1, 1}), 0);
   EXPECT_NEAR(triangle_shape({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), std::sqrt(3) / 2, 1e-15);
-}
-
-double pull_of(double stiffness, double step) {
-  const Sheet sheet = sheet_of(test::equilateral_pair(1, 0));
-  const std::vector<double> masses(4, 1);
-  return build_cluster_stage(sheet, {Cluster{0, 1, 2}}, {stiffness}, masses, step).clusters[0].pull;
-}
-
-TEST(Clusters, PullIsThatOfAnImplicitSpring) {
-  EXPECT_DOUBLE_EQ(pull_of(1e4, 0.01), 0.5);
-  EXPECT_DOUBLE_EQ(pull_of(1, 1e-4), 1e-8 / (1 + 1e-8));
-}
-
-TEST(Clusters, PullRisesWithStiffnessAndStepAndStaysBetweenZeroAndOne) {
-  double before = 0;
-  for (const double stiffness : {1e-3, 1.0, 1e3, 1e6, 1e9}) {
-    const double pull = pull_of(stiffness, 0.005);
-    EXPECT_GT(pull, before);
-    EXPECT_LT(pull, 1);
-    EXPECT_GT(pull_of(stiffness, 0.01), pull);
-    before = pull;
-  }
-}
-
-struct Swept {
-  ClusterStage stage;
-  std::vector<double> masses;
-  std::vector<Vec3> before, after;
-};
-
-Swept sweep(double stiffness, int pinned = -1) {
-  Random random(5);
-  const Sheet sheet = sheet_of(test::jittered_grid(8));
-  Swept swept;
-  swept.masses = test::random_masses(sheet.rest_positions.size(), random);
-  const std::vector<double> all(sheet.triangles.size(), stiffness);
-  swept.stage = build_cluster_stage(sheet, own_triangles(sheet), all, swept.masses, 0.01);
-  swept.before = test::shaken(sheet.rest_positions, 0.03, random);
-  swept.after = swept.before;
-  std::vector<double> inverse_masses = test::inverses(swept.masses);
-  if (pinned >= 0) inverse_masses[pinned] = 0;
-  pull_clusters(swept.stage, inverse_masses, swept.after);
-  return swept;
-}
-
-// sum over clusters of the potential's sum m |goal - x|2.
-double misfit(const Swept& swept, const std::vector<Vec3>& x) {
-  double sum = 0;
-  for (const TriangleCluster& cluster : swept.stage.clusters) {
-    const auto& [a, b, c] = cluster.vertices;
-    const auto d = match_displacements(cluster.rest, x[a], x[b], x[c]);
-    for (int i = 0; i < 3; ++i) sum += swept.masses[cluster.vertices[i]] * d[i].squaredNorm();
-  }
-  return sum;
-}
-
-TEST(Clusters, EachClusterKeepsItsTrianglesMassesAndShape) {
-  const Swept swept = sweep(1);
-  ASSERT_EQ(swept.stage.clusters.size(), 98u);
-  for (const TriangleCluster& cluster : swept.stage.clusters) {
-    const double total = swept.masses[cluster.vertices[0]] + swept.masses[cluster.vertices[1]] +
-                         swept.masses[cluster.vertices[2]];
-    EXPECT_DOUBLE_EQ(cluster.rest.share2, swept.masses[cluster.vertices[1]] / total);
-    EXPECT_DOUBLE_EQ(cluster.rest.share3, swept.masses[cluster.vertices[2]] / total);
-  }
-}
-
-TEST(Clusters, ASweepKeepsLinearMomentumAndLowersTheMisfit) {
-  const Swept swept = sweep(3e4);
-  EXPECT_LT(test::relative_momentum(swept.masses, swept.before, swept.after), 1e-14);
-  EXPECT_LT(misfit(swept, swept.after), 0.5 * misfit(swept, swept.before));
-}
-
-TEST(Clusters, PinnedPointsStay) {
-  const Swept swept = sweep(3e4, 20);
-  EXPECT_EQ(swept.after[20], swept.before[20]);
-  EXPECT_NE(swept.after[21], swept.before[21]);
-}
-
-TEST(Clusters, AnElasticSheetMovedRigidlyStays) {
-  Random random(6);
-  const Sheet sheet = sheet_of(make_sphere(0.5, 12, 9));
-  const std::vector<double> masses = test::random_masses(sheet.rest_positions.size(), random);
-  const std::vector<Cluster> clusters = both_kinds(sheet);
-  const std::vector<double> stiffness(clusters.size(), 1e6);
-  const ClusterStage stage = build_cluster_stage(sheet, clusters, stiffness, masses, 0.01);
-  const std::vector<Vec3> before = test::moved(sheet.rest_positions, random.rotation(), random.vector());
-  std::vector<Vec3> after = before;
-  pull_clusters(stage, test::inverses(masses), after);
-  EXPECT_LT(test::farthest(before, after), 1e-13);
 }
 
 }  // namespace

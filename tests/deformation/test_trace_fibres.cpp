@@ -91,42 +91,69 @@ TEST(TraceFibres, EdgesThatBendMoreThanAllowedEndTheFibre) {
     EXPECT_EQ(fibre.size(), 2u);
 }
 
-TEST(TraceFibres, AStageHoldsAllFibresWithTheirLengths) {
-  const Sheet sheet = sheet_of(test::jittered_grid(8));
-  const FibreStage stage = build_fibres(sheet, 0.01);
-  ASSERT_EQ(stage.rest_lengths.size(), sheet.topology.edges.size());
-  ASSERT_EQ(stage.vertex_begin.size() - 1, trace_fibres(sheet).size());
-  for (std::size_t f = 0; f + 1 < stage.vertex_begin.size(); ++f)
-    for (std::size_t i = stage.vertex_begin[f]; i + 1 < stage.vertex_begin[f + 1]; ++i) {
-      const Vec3 edge = sheet.rest_positions[stage.vertices[i + 1]] - sheet.rest_positions[stage.vertices[i]];
-      EXPECT_EQ(stage.rest_lengths[i - f], edge.norm());
-    }
+// The vertices of one lane of a group, less what fills it up.
+std::vector<int> chain_of(const FibreStage& stage, std::size_t group, int lane, int filler) {
+  std::vector<int> chain;
+  for (std::size_t row = stage.row_begin[group]; row < stage.row_begin[group + 1]; ++row) {
+    const int vertex = stage.vertices[row].vertex(lane);
+    if (vertex != filler && (chain.empty() || chain.back() != vertex)) chain.push_back(vertex);
+  }
+  return chain;
 }
 
-TEST(TraceFibres, NoTwoFibresOfAColorShareAVertex) {
-  const FibreStage stage = build_fibres(sheet_of(make_sphere(1, 12, 7)), 0.01);
-  for (std::size_t color = 0; color + 1 < stage.color_begin.size(); ++color) {
-    std::set<int> seen;
-    for (std::size_t i = stage.vertex_begin[stage.color_begin[color]];
-         i < stage.vertex_begin[stage.color_begin[color + 1]]; ++i)
-      EXPECT_TRUE(seen.insert(stage.vertices[i]).second);
+TEST(TraceFibres, AStageHoldsEachFibreOnce) {
+  for (const TriangleMesh& mesh : many_meshes()) {
+    const Sheet sheet = sheet_of(mesh);
+    const FibreStage stage = build_fibres(sheet, std::vector<double>(sheet.topology.edges.size(), 1), 0.01);
+    Fibres held, traced = trace_fibres(sheet);
+    for (std::size_t group = 0; group + 1 < stage.row_begin.size(); ++group)
+      for (int lane = 0; lane < Lanes::count; ++lane) {
+        held.push_back(chain_of(stage, group, lane, static_cast<int>(mesh.positions.size())));
+        if (held.back().empty()) held.pop_back();
+      }
+    std::sort(held.begin(), held.end());
+    std::sort(traced.begin(), traced.end());
+    EXPECT_EQ(held, traced);
   }
 }
 
-// A bar's stiffness: tension per width, times width over length. All bars of a square sheet, pulled along its
-// rows, share its width.
-TEST(TraceFibres, ComplianceIsThatOfTheMaterialAndTheStep) {
-  const double step = 0.01, stretch_stiffness = 2000;
-  const Sheet sheet = sheet_of(test::equilateral_pair(0.1, 0), {.stretch_stiffness = stretch_stiffness});
-  const FibreStage stage = build_fibres(sheet, step);
-  const double area = std::sqrt(3) / 4 * 0.01;
-  const double at_boundary = stretch_stiffness * area / (3 * 0.01);
-  std::vector<double> stiffness;
-  for (const double compliance : stage.compliances) stiffness.push_back(1 / (compliance * step * step));
-  std::sort(stiffness.begin(), stiffness.end());
-  ASSERT_EQ(stiffness.size(), 5u);
-  for (int i = 0; i < 4; ++i) EXPECT_NEAR(stiffness[i], at_boundary, 1e-9 * at_boundary);
-  EXPECT_NEAR(stiffness[4], 2 * at_boundary, 1e-9 * at_boundary);
+TEST(TraceFibres, AStageHoldsLengthsAndCompliancesOfTheEdges) {
+  const double step = 0.01;
+  const Sheet sheet = sheet_of(test::jittered_grid(8));
+  std::vector<double> stiffnesses;
+  for (std::size_t e = 0; e < sheet.topology.edges.size(); ++e)
+    stiffnesses.push_back(1.0 + static_cast<double>(e));
+  const FibreStage stage = build_fibres(sheet, stiffnesses, step);
+  int edges = 0;
+  for (std::size_t group = 0; group + 1 < stage.row_begin.size(); ++group)
+    for (std::size_t row = stage.row_begin[group] + 1; row < stage.row_begin[group + 1]; ++row)
+      for (int lane = 0; lane < Lanes::count; ++lane) {
+        const int a = stage.vertices[row - 1].vertex(lane), b = stage.vertices[row].vertex(lane);
+        if (a == b) continue;
+        const auto edge =
+            std::find_if(sheet.topology.edges.begin(), sheet.topology.edges.end(), [&](const Edge& e) {
+              return e.vertices == std::array{std::min(a, b), std::max(a, b)};
+            });
+        const auto index = static_cast<std::size_t>(edge - sheet.topology.edges.begin());
+        const double compliance = 1 / (stiffnesses[index] * step * step);
+        EXPECT_FLOAT_EQ(stage.rest_lengths[row].values[lane], static_cast<float>(rest_length(sheet, *edge)));
+        EXPECT_FLOAT_EQ(stage.compliances[row].values[lane], static_cast<float>(compliance));
+        ++edges;
+      }
+  EXPECT_EQ(edges, static_cast<int>(sheet.topology.edges.size()));
+}
+
+TEST(TraceFibres, NoTwoFibresOfAColorShareAVertex) {
+  const TriangleMesh mesh = make_sphere(1, 12, 7);
+  const Sheet sheet = sheet_of(mesh);
+  const FibreStage stage = build_fibres(sheet, std::vector<double>(sheet.topology.edges.size(), 1), 0.01);
+  for (std::size_t color = 0; color + 1 < stage.color_begin.size(); ++color) {
+    std::set<int> seen;
+    for (std::size_t group = stage.color_begin[color]; group < stage.color_begin[color + 1]; ++group)
+      for (int lane = 0; lane < Lanes::count; ++lane)
+        for (const int v : chain_of(stage, group, lane, static_cast<int>(mesh.positions.size())))
+          EXPECT_TRUE(seen.insert(v).second);
+  }
 }
 
 }  // namespace
