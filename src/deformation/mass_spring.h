@@ -57,9 +57,11 @@ struct MassSpringScratch {
 MassSpringModel build_mass_spring(const Sheet& sheet, const std::vector<double>& masses,
                                   const std::vector<char>& pinned);
 
-// A bound, in seconds, on the steps that are stable: infinite where every point is pinned. Holds in every
-// shape as to springs (their tension and turning included); as to bending, as long as triangles keep about
-// their height, which the springs see to.
+// A bound, in seconds, on the steps that are stable. As to springs it holds in every shape, tension and
+// turning included; as to bending it allows twice the stiffness of the flat rest shape, for folds and for
+// squeezed triangles, whose elements a step weakens where they would exceed that. Infinite where every point
+// is pinned. Measured: a hanging sheet is stable up to 1.4 times the bound without damping, 1.6 to 1.8 times
+// with 50/s.
 double largest_stable_step(const MassSpringModel& model);
 
 // One step of the explicit leapfrog of second order, in its drift-kick-drift order:

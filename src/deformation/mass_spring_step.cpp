@@ -24,15 +24,29 @@ void measure_spring(const MassSpringModel& model, std::size_t e, const std::vect
   scratch.elastic[e] = spring.stiffness * (length - spring.rest_length);
 }
 
+// Where triangles are squeezed to slivers the gradients, 1 / height, grow without bound, and so would the
+// stiffness k_e |g|2 that the step must be small for. From twice the rest shape's |g|2 on, the element is
+// weakened to keep that.
+double weakening(const BendingElement& element, const BendingAngle& angle) {
+  double rest = 0, now = 0;
+  for (int i = 0; i < 4; ++i) {
+    rest += element.gradient_lengths[i] * element.gradient_lengths[i];
+    now += angle.gradients[i].squaredNorm();
+  }
+  return now > 2 * rest ? std::sqrt(2 * rest / now) : 1;
+}
+
 // BMF03, section 4, F_i = k_e |E|2 / (|N1| + |N2|) (sin(theta / 2) - rest) u_i, with |E| and |N| of the rest
 // shape, for which it is the gradient of an energy.
 void measure_bending(const MassSpringModel& model, std::size_t e, const std::vector<Vec3>& x,
                      MassSpringScratch& scratch) {
   const BendingElement& element = model.bending[e];
   const BendingAngle angle = bending_angle(element.vertices, x);
+  const double share = weakening(element, angle);
   const std::size_t slot = 2 * model.springs.size() + 4 * e;
-  for (int i = 0; i < 4; ++i) scratch.gradients[slot + i] = angle.gradients[i];
-  scratch.elastic[model.springs.size() + e] = element.stiffness * (angle.half_sine - element.rest_sine);
+  for (int i = 0; i < 4; ++i) scratch.gradients[slot + i] = share * angle.gradients[i];
+  scratch.elastic[model.springs.size() + e] =
+      share * element.stiffness * (angle.half_sine - element.rest_sine);
 }
 
 void measure_elements(const MassSpringModel& model, const std::vector<Vec3>& x, MassSpringScratch& scratch) {
