@@ -77,27 +77,25 @@ ElasticModel build_elastic_model(const Sheet& sheet, const std::vector<double>& 
   ElasticModel model;
   model.step = step;
   model.substeps = substeps;
-  const std::vector<double> pull_durations(sheet.materials.size(), substep * substep);
-  model.bending = build_bending(sheet, patches, inverse_masses, {pull_durations, true});
-  model.bending_damping =
-      build_bending(sheet, patches, inverse_masses, {damping_times_step(sheet, step), false});
-  model.membrane = build_membrane(sheet, patches, weights, inverse_masses, {membrane.left, substep * substep});
-  model.membrane_damping =
-      build_membrane(sheet, patches, weights, inverse_masses, {damped_tensors(sheet, membrane.whole), step});
+  model.bending =
+      build_bending(sheet, patches, inverse_masses, substep * substep, damping_times_step(sheet, step));
+  model.membrane = build_membrane(sheet, patches, weights, inverse_masses, {membrane.left, substep * substep},
+                                  {damped_tensors(sheet, membrane.whole), step});
   model.fibres = build_fibres(sheet, membrane.bars, substep);
   model.tethers = build_tethers(sheet, masses, pinned, gravity);
   for (const double inverse_mass : inverse_masses)
     model.inverse_masses.push_back({0, 0, 0, static_cast<float>(inverse_mass)});
-  const int fillers = *std::max_element(patches.begin(), patches.end()) + 1;
-  model.inverse_masses.resize(masses.size() + static_cast<std::size_t>(fillers), Point4{});
+  const int patch_count = *std::max_element(patches.begin(), patches.end()) + 1;
+  model.inverse_masses.resize(masses.size() + fillers_a_patch * static_cast<std::size_t>(patch_count), Point4{});
   return model;
 }
 
 void load_elastic(const ElasticModel& model, const std::vector<Vec3>& start, ElasticScratch& scratch) {
   scratch.offsets = model.inverse_masses;
-  load_bending(model.bending, start, scratch.bending_base);
-  load_membrane(model.membrane, start, scratch.membrane_base);
-  load_fibres(model.fibres, start, scratch.fibres);
+  split_points(start, scratch.offsets.size(), scratch.start);
+  load_bending(model.bending, scratch.start, scratch.bending_base);
+  load_membrane(model.membrane, scratch.start, scratch.membrane_base);
+  load_fibres(model.fibres, scratch.start, scratch.fibres);
   load_tethers(model.tethers, start, scratch.tether_base);
 }
 
@@ -114,8 +112,8 @@ void load_vectors(const ElasticModel& model, const std::vector<Vec3>& vectors, s
 
 // Velocities after viscosity, once a step. Membrane frames are those where the step starts.
 void damp(const ElasticModel& model, ElasticScratch& scratch) {
-  damp_bending(model.bending_damping, scratch.velocities);
-  damp_membrane(model.membrane_damping, scratch.membrane_base, scratch.velocities);
+  damp_bending(model.bending, scratch.velocities);
+  damp_membrane(model.membrane, scratch.membrane_base, scratch.velocities);
 }
 
 // Pinned points take equal parts of their way.

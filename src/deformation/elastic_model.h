@@ -16,8 +16,6 @@ struct ElasticModel {
   MembraneStage membrane;
   FibreStage fibres;
   TetherStage tethers;
-  BendingStage bending_damping;
-  MembraneStage membrane_damping;
   std::vector<Point4> inverse_masses;  // w: 1/kg, 0 where pinned; x, y, z are 0. Fillers follow the vertices
   double step = 0;                     // seconds: what a simulation calls a step
   int substeps = 1;                    // equal parts of it in which the elastic pulls are made
@@ -34,6 +32,7 @@ ElasticModel build_elastic_model(const Sheet& sheet, const std::vector<double>& 
 // What a step works in. Positions are offsets in float from where the step starts: seven digits of how far a point
 // moves in a step, not of where it is.
 struct ElasticScratch {
+  SplitPoints start;
   std::vector<Point4> offsets, velocities, accelerations, before;
   std::vector<LaneRow> bending_base, membrane_base;
   FibreScratch fibres;

@@ -57,6 +57,7 @@ void append_color(const Sheet& sheet, std::vector<std::vector<int>> fibres, cons
                 stage);
     }
     stage.row_begin.push_back(rows);
+    stage.longest_group = std::max(stage.longest_group, rows - first_row);
   }
   stage.color_begin.push_back(stage.row_begin.size() - 1);
 }
@@ -77,27 +78,33 @@ FibreStage build_fibres(const Sheet& sheet, const std::vector<double>& stiffness
   return stage;
 }
 
-void load_fibres(const FibreStage& stage, const std::vector<Vec3>& start, FibreScratch& scratch) {
-  scratch.base.resize(3 * stage.vertices.size(), LaneRow{});
-  scratch.work.resize(fibre_work_rows * stage.vertices.size());
+// Groups that a thread takes after each other, in the same scratch, which so stays in its caches.
+constexpr std::size_t groups_a_block = 4;
+
+static std::size_t largest_block_count(const FibreStage& stage) {
+  std::size_t largest = 0;
+  for (std::size_t color = 0; color + 1 < stage.color_begin.size(); ++color)
+    largest = std::max(largest, stage.color_begin[color + 1] - stage.color_begin[color]);
+  return (largest + groups_a_block - 1) / groups_a_block;
+}
+
+void load_fibres(const FibreStage& stage, const SplitPoints& start, FibreScratch& scratch) {
+  scratch.base.resize(3 * stage.vertices.size());
+  scratch.work.resize(largest_block_count(stage) * stage.longest_group * fibre_work_rows);
   parallel_for_each(stage.row_begin.size() - 1, 1, [&](std::size_t group) {
-    for (std::size_t row = stage.row_begin[group] + 1; row < stage.row_begin[group + 1]; ++row)
-      for (int lane = 0; lane < Lanes::count; ++lane) {
-        const auto a = static_cast<std::size_t>(stage.vertices[row - 1].vertex(lane));
-        const auto b = static_cast<std::size_t>(stage.vertices[row].vertex(lane));
-        const Vec3 edge = b < start.size() ? Vec3(start[b] - start[a]) : Vec3(Vec3::Zero());
-        for (std::size_t i = 0; i < 3; ++i)
-          scratch.base[3 * row + i].values[lane] = static_cast<float>(edge[static_cast<Eigen::Index>(i)]);
-      }
+    load_fibre_group<Lanes>(stage, start, group, {}, scratch.base);
   });
 }
 
 void pull_fibres(const FibreStage& stage, FibreScratch& scratch, std::vector<Point4>& offsets) {
   for (std::size_t color = 0; color + 1 < stage.color_begin.size(); ++color) {
     const std::size_t first = stage.color_begin[color];
-    parallel_for_each(stage.color_begin[color + 1] - first, 1, [&](std::size_t i) {
-      pull_fibre_group<Lanes>(stage, scratch, first + i, {}, offsets.data());
-    });
+    parallel_blocks(stage.color_begin[color + 1] - first, groups_a_block,
+                    [&](std::size_t begin, std::size_t end, std::size_t block) {
+                      LaneRow* work = &scratch.work[block * stage.longest_group * fibre_work_rows];
+                      for (std::size_t i = begin; i < end; ++i)
+                        pull_fibre_group<Lanes>(stage, scratch.base, first + i, {}, work, offsets.data());
+                    });
   }
 }
 

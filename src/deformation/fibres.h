@@ -5,6 +5,7 @@
 
 #include "core/lanes.h"
 #include "deformation/sheet.h"
+#include "deformation/split_points.h"
 
 namespace drape {
 
@@ -17,6 +18,7 @@ struct FibreStage {
   std::vector<LaneRow> compliances;     // 1 / (stiffness h2) in 1/kg; 0 would be quite inextensible
   std::vector<LaneRow> longest;         // m: what the strain limit allows
   std::vector<std::size_t> color_begin; // groups of colour c: [color_begin[c] .. color_begin[c + 1])
+  std::size_t longest_group = 0;        // rows
 };
 
 // Pairs the edges at each vertex, the straightest pair first (ties by edge number), and accepts pairs of at
@@ -31,9 +33,9 @@ FibreStage build_fibres(const Sheet& sheet, const std::vector<double>& stiffness
 // The edges where a step starts, three rows each; and what a sweep works in.
 struct FibreScratch {
   std::vector<LaneRow> base;
-  std::vector<LaneRow> work;
+  std::vector<LaneRow> work;  // of a few groups at a time: see FibreStage::longest_group
 };
-void load_fibres(const FibreStage& stage, const std::vector<Vec3>& start, FibreScratch& scratch);
+void load_fibres(const FibreStage& stage, const SplitPoints& start, FibreScratch& scratch);
 
 // The two sweeps of section 4.2 inject energy; instead, one Newton step for all lengths of a fibre together,
 // which is a tridiagonal system and keeps both momenta:

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "deformation/sheet.h"
+#include "deformation/split_points.h"
 #include "deformation/sweep_order.h"
 
 namespace drape {
@@ -16,17 +17,19 @@ namespace drape {
 // step and no stiffness overshoots. Points of inverse mass 0 stay.
 struct MembraneStage {
   SweepOrder order;
-  std::vector<IndexRow> corners;   // 3 a row
-  std::vector<LaneRow> constants;  // a row: see MembraneRow
+  std::vector<IndexRow> corners;  // 3 a row
+  std::vector<LaneRow> shapes;    // a row: see MembraneShape
+  std::vector<LaneRow> stresses;  // 6 a row: the symmetric K of stress = K e (11 12 13 22 23 33), kg m
+  std::vector<LaneRow> dampings;  // 6 a row: the same of viscous stresses
 };
 
-// The constants of eight triangles, in the order that they are stored in.
-struct MembraneRow {
-  static constexpr std::size_t k1 = 0, k2 = 1;  // of MatchConstants
+// Rows of constants of eight triangles, in the order that they are stored in.
+struct MembraneShape {
+  static constexpr std::size_t k1 = 0, k2 = 1;     // of MatchConstants
   static constexpr std::size_t inverse_shape = 2;  // 4: rows of the inverse of the rest edges in the matched frame, 1/m
-  static constexpr std::size_t stress = 6;         // 6: the symmetric K of stress = K e (11 12 13 22 23 33), kg m
-  static constexpr std::size_t count = 12;
+  static constexpr std::size_t count = 6;
 };
+constexpr std::size_t stress_rows = 6;
 // Rows of the edges of a triangle, from its first corner to the second and the third, where a step starts.
 constexpr std::size_t membrane_base_rows = 6;
 
@@ -46,10 +49,11 @@ struct RestFrame {
 RestFrame rest_frame(const Sheet& sheet, int triangle, const std::vector<double>& masses);
 
 MembraneStage build_membrane(const Sheet& sheet, const std::vector<int>& patches, const std::vector<double>& weights,
-                             const std::vector<double>& inverse_masses, const MembraneTerms& terms);
+                             const std::vector<double>& inverse_masses, const MembraneTerms& pull,
+                             const MembraneTerms& damping);
 
 // The rows of edges where a step starts; what offsets are relative to.
-void load_membrane(const MembraneStage& stage, const std::vector<Vec3>& start, std::vector<LaneRow>& base);
+void load_membrane(const MembraneStage& stage, const SplitPoints& start, std::vector<LaneRow>& base);
 
 // One Gauss-Seidel sweep over x = start + offset; w of an offset is the point's inverse mass.
 void pull_membrane(const MembraneStage& stage, const std::vector<LaneRow>& base, std::vector<Point4>& offsets);
