@@ -9,17 +9,16 @@ namespace drape {
 
 template <typename Number>
 struct BendingPoints {
-  TrianglePoints<Number> own;
-  LanePoint<Number> outer[3];
+  TrianglePoints<Number> own, outer;
 };
 template <typename Number>
 struct Residuals {
-  LaneVec3<Number> r[3];
+  LaneVec3<Number> r1, r2, r3;
 };
 // Where the outer corners lie, in the affine coordinates of the own ones.
 template <typename Number>
 struct OuterCoordinates {
-  Number s[3], t[3];
+  Number s1, s2, s3, t1, t2, t3;
 };
 template <typename Number>
 struct LowerRoot {
@@ -28,8 +27,8 @@ struct LowerRoot {
 
 template <typename Number>
 OuterCoordinates<Number> load_coordinates(const LaneAccess<Number>& access, const LaneRow* rows) {
-  return {{access.load(rows[0]), access.load(rows[1]), access.load(rows[2])},
-          {access.load(rows[3]), access.load(rows[4]), access.load(rows[5])}};
+  return {access.load(rows[0]), access.load(rows[1]), access.load(rows[2]),
+          access.load(rows[3]), access.load(rows[4]), access.load(rows[5])};
 }
 template <typename Number>
 LowerRoot<Number> load_root(const LaneAccess<Number>& access, const LaneRow* rows) {
@@ -37,52 +36,58 @@ LowerRoot<Number> load_root(const LaneAccess<Number>& access, const LaneRow* row
           access.load(rows[3]), access.load(rows[4]), access.load(rows[5])};
 }
 
-// x_j - x_a - s_j (x_b - x_a) - t_j (x_c - x_a), from these differences.
+// x_j - x_a - s_j (x_b - x_a) - t_j (x_c - x_a), from x_j - x_a and the triangle's edges.
 template <typename Number>
-LaneVec3<Number> residual(const LaneVec3<Number>& outer, Number s, Number t, const TriangleEdges<Number>& own) {
-  return subtract_product(t, own.e2, subtract_product(s, own.e1, outer));
+Residuals<Number> residuals_of(const TriangleEdges<Number>& own, const LaneVec3<Number>& x1, const LaneVec3<Number>& x2,
+                               const LaneVec3<Number>& x3, const OuterCoordinates<Number>& where) {
+  const auto& [e1, e2] = own;
+  return {subtract_product(where.t1, e2, subtract_product(where.s1, e1, x1)),
+          subtract_product(where.t2, e2, subtract_product(where.s2, e1, x2)),
+          subtract_product(where.t3, e2, subtract_product(where.s3, e1, x3))};
 }
 
 template <typename Number>
-void load_bending_row(const BendingStage& stage, const SplitPoints& start, std::size_t row,
+Residuals<Number> load_residuals(const LaneAccess<Number>& access, const LaneRow* rows) {
+  return {load_vector(access, rows), load_vector(access, rows + 3), load_vector(access, rows + 6)};
+}
+template <typename Number>
+Residuals<Number> operator+(const Residuals<Number>& a, const Residuals<Number>& b) {
+  return {a.r1 + b.r1, a.r2 + b.r2, a.r3 + b.r3};
+}
+
+template <typename Number>
+[[gnu::flatten]] void load_bending_row(const BendingStage& stage, const SplitPoints& start, std::size_t row,
                       const LaneAccess<Number>& access, LaneRow* base) {
   const IndexRow* corners = &stage.corners[6 * row];
   const OuterCoordinates<Number> where = load_coordinates(access, &stage.coordinates[coordinate_rows * row]);
   const SplitPoint<Number> a = gather(access, start, corners[0]);
   const TriangleEdges<Number> own{gather(access, start, corners[1]) - a, gather(access, start, corners[2]) - a};
-  for (int j = 0; j < 3; ++j)
-    store_vector(access, residual(gather(access, start, corners[3 + j]) - a, where.s[j], where.t[j], own),
-                 base + 3 * j);
+  const Residuals<Number> residuals =
+      residuals_of(own, gather(access, start, corners[3]) - a, gather(access, start, corners[4]) - a,
+                   gather(access, start, corners[5]) - a, where);
+  store_vector(access, residuals.r1, base);
+  store_vector(access, residuals.r2, base + 3);
+  store_vector(access, residuals.r3, base + 6);
   if (!stage.curved) return;
   store_vector(access, own.e1, base + 9);
   store_vector(access, own.e2, base + 12);
 }
 
 template <typename Number>
-BendingPoints<Number> gather_cluster(const LaneAccess<Number>& access, const IndexRow* corners,
-                                     const Point4* points) {
-  return {gather_triangle(access, corners, points),
-          {access.gather(points, corners[3]), access.gather(points, corners[4]), access.gather(points, corners[5])}};
-}
-
-template <typename Number>
 Residuals<Number> residuals_of(const BendingPoints<Number>& points, const OuterCoordinates<Number>& where) {
-  const TriangleEdges<Number> own = edges_of(points.own);
-  Residuals<Number> found;
-  for (int j = 0; j < 3; ++j)
-    found.r[j] = residual(points.outer[j].p - points.own.a.p, where.s[j], where.t[j], own);
-  return found;
+  const LaneVec3<Number>& a = points.own.a.p;
+  return residuals_of(edges_of(points.own), points.outer.a.p - a, points.outer.b.p - a, points.outer.c.p - a, where);
 }
 
 template <typename Number>
 Residuals<Number> transposed_times(const LowerRoot<Number>& l, const Residuals<Number>& of) {
-  return {{multiply_add(l.l31, of.r[2], multiply_add(l.l21, of.r[1], l.l11 * of.r[0])),
-           multiply_add(l.l32, of.r[2], l.l22 * of.r[1]), l.l33 * of.r[2]}};
+  return {multiply_add(l.l31, of.r3, multiply_add(l.l21, of.r2, l.l11 * of.r1)),
+          multiply_add(l.l32, of.r3, l.l22 * of.r2), l.l33 * of.r3};
 }
 template <typename Number>
 Residuals<Number> times(const LowerRoot<Number>& l, const Residuals<Number>& of) {
-  return {{l.l11 * of.r[0], multiply_add(l.l22, of.r[1], l.l21 * of.r[0]),
-           multiply_add(l.l33, of.r[2], multiply_add(l.l32, of.r[1], l.l31 * of.r[0]))}};
+  return {l.l11 * of.r1, multiply_add(l.l22, of.r2, l.l21 * of.r1),
+          multiply_add(l.l33, of.r3, multiply_add(l.l32, of.r2, l.l31 * of.r1))};
 }
 
 // What the rest shape keeps of the residuals r': rho'_j along the unit vector n that fits all three best, on the side
@@ -90,41 +95,34 @@ Residuals<Number> times(const LowerRoot<Number>& l, const Residuals<Number>& of)
 template <typename Number>
 void subtract_rest(const LaneAccess<Number>& access, const LaneRow* rest, const TriangleEdges<Number>& edges,
                    Residuals<Number>& residuals) {
-  LaneVec3<Number>(&r)[3] = residuals.r;
-  LaneVec3<Number> n = access.load(rest[0]) * r[0];
-  n = multiply_add(access.load(rest[1]), r[1], n);
-  n = multiply_add(access.load(rest[2]), r[2], n);
+  auto& [r1, r2, r3] = residuals;
+  const Number rest1 = access.load(rest[0]), rest2 = access.load(rest[1]), rest3 = access.load(rest[2]);
+  const LaneVec3<Number> n = multiply_add(rest3, r3, multiply_add(rest2, r2, rest1 * r1));
   const Number outward = dot(n, cross(edges.e1, edges.e2)), length_squared = dot(n, n);
   const Number unsigned_scale = Number(1) / square_root(length_squared);
   const Number scale =
       where_positive(length_squared, where_positive(outward, unsigned_scale, -unsigned_scale), Number(0));
-  for (int j = 0; j < 3; ++j) r[j] = subtract_product(access.load(rest[j]) * scale, n, r[j]);
+  r1 = subtract_product(rest1 * scale, n, r1);
+  r2 = subtract_product(rest2 * scale, n, r2);
+  r3 = subtract_product(rest3 * scale, n, r3);
 }
 
 // Each point takes its inverse mass times the pulls: `pulls` of the outer corners, and what balances them.
 template <typename Number>
-void pull_cluster(const Residuals<Number>& pulls, const OuterCoordinates<Number>& where,
-                  BendingPoints<Number>& points) {
-  const LaneVec3<Number>(&m)[3] = pulls.r;
-  const auto sum = [&](const Number(&by)[3]) {
-    return multiply_add(by[2], m[2], multiply_add(by[1], m[1], by[0] * m[0]));
-  };
-  const LaneVec3<Number> on_b = sum(where.s), on_c = sum(where.t);
-  const LaneVec3<Number> on_a = (m[0] + m[1] + m[2]) - (on_b + on_c);
-  points.own.a.p = multiply_add(points.own.a.w, on_a, points.own.a.p);
-  points.own.b.p = multiply_add(points.own.b.w, on_b, points.own.b.p);
-  points.own.c.p = multiply_add(points.own.c.w, on_c, points.own.c.p);
-  for (int j = 0; j < 3; ++j) points.outer[j].p = subtract_product(points.outer[j].w, m[j], points.outer[j].p);
+void pull_own(const Residuals<Number>& pulls, const OuterCoordinates<Number>& where, TrianglePoints<Number>& own) {
+  const auto& [m1, m2, m3] = pulls;
+  const LaneVec3<Number> on_b = multiply_add(where.s3, m3, multiply_add(where.s2, m2, where.s1 * m1));
+  const LaneVec3<Number> on_c = multiply_add(where.t3, m3, multiply_add(where.t2, m2, where.t1 * m1));
+  const LaneVec3<Number> on_a = (m1 + m2 + m3) - (on_b + on_c);
+  own.a.p = multiply_add(own.a.w, on_a, own.a.p);
+  own.b.p = multiply_add(own.b.w, on_b, own.b.p);
+  own.c.p = multiply_add(own.c.w, on_c, own.c.p);
 }
-
 template <typename Number>
-void move_cluster(const LaneAccess<Number>& access, const IndexRow* corners, const Residuals<Number>& pulls,
-                  const OuterCoordinates<Number>& where, BendingPoints<Number> moved, Point4* points) {
-  pull_cluster(pulls, where, moved);
-  access.scatter(points, corners[0], moved.own.a);
-  access.scatter(points, corners[1], moved.own.b);
-  access.scatter(points, corners[2], moved.own.c);
-  for (int j = 0; j < 3; ++j) access.scatter(points, corners[3 + j], moved.outer[j]);
+void pull_outer(const Residuals<Number>& pulls, TrianglePoints<Number>& outer) {
+  outer.a.p = subtract_product(outer.a.w, pulls.r1, outer.a.p);
+  outer.b.p = subtract_product(outer.b.w, pulls.r2, outer.b.p);
+  outer.c.p = subtract_product(outer.c.w, pulls.r3, outer.c.p);
 }
 
 // What passes between the phases of a tile.
@@ -139,7 +137,8 @@ void gather_tile(const BendingStage& stage, const RowRange& rows, const LaneAcce
                  const Point4* points, BendingTile<Number>& tile) {
   for (std::size_t row = rows.first; row < rows.end; ++row) {
     const std::size_t i = row - rows.first;
-    tile.points[i] = gather_cluster(access, &stage.corners[6 * row], points);
+    const IndexRow* corners = &stage.corners[6 * row];
+    tile.points[i] = {gather_triangle(access, corners, points), gather_triangle(access, corners + 3, points)};
     tile.residuals[i] =
         residuals_of(tile.points[i], load_coordinates(access, &stage.coordinates[coordinate_rows * row]));
   }
@@ -147,12 +146,16 @@ void gather_tile(const BendingStage& stage, const RowRange& rows, const LaneAcce
 
 template <typename Number>
 void move_tile(const BendingStage& stage, const std::vector<LaneRow>& roots, const RowRange& rows,
-               const LaneAccess<Number>& access, const BendingTile<Number>& tile, Point4* points) {
+               const LaneAccess<Number>& access, BendingTile<Number>& tile, Point4* points) {
   for (std::size_t row = rows.first; row < rows.end; ++row) {
     const std::size_t i = row - rows.first;
-    move_cluster(access, &stage.corners[6 * row],
-                 times(load_root(access, &roots[bending_step_rows * row]), tile.residuals[i]),
-                 load_coordinates(access, &stage.coordinates[coordinate_rows * row]), tile.points[i], points);
+    const IndexRow* corners = &stage.corners[6 * row];
+    const Residuals<Number> pulls = times(load_root(access, &roots[bending_step_rows * row]), tile.residuals[i]);
+    BendingPoints<Number> moved = tile.points[i];
+    pull_outer(pulls, moved.outer);
+    scatter_triangle(access, corners + 3, moved.outer, points);
+    pull_own(pulls, load_coordinates(access, &stage.coordinates[coordinate_rows * row]), moved.own);
+    scatter_triangle(access, corners, moved.own, points);
   }
 }
 
@@ -169,8 +172,7 @@ template <typename Number>
   gather_tile(stage, rows, access, offsets, tile);
   for (std::size_t row = rows.first; row < rows.end; ++row) {
     Residuals<Number>& residuals = tile.residuals[row - rows.first];
-    for (std::size_t j = 0; j < 3; ++j)
-      residuals.r[j] = load_vector(access, &base[height * row + 3 * j]) + residuals.r[j];
+    residuals = load_residuals(access, &base[height * row]) + residuals;
     scale_residuals(access, &stage.steps[bending_step_rows * row], residuals);
   }
   if (stage.curved)

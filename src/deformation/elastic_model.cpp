@@ -145,12 +145,17 @@ void unload(const ElasticModel& model, const std::vector<Vec3>& start, const Ela
 void predict_offsets(const ElasticModel& model, ElasticScratch& scratch) {
   const auto step = static_cast<float>(model.step / model.substeps);
   scratch.before.resize(scratch.offsets.size());
-  parallel_for_each(scratch.offsets.size(), points_a_block, [&](std::size_t v) {
-    Point4 &x = scratch.offsets[v], &u = scratch.velocities[v];
-    const Point4& a = scratch.accelerations[v];
-    scratch.before[v] = x;
-    u = {u.x + step * a.x, u.y + step * a.y, u.z + step * a.z, u.w};
-    x = {x.x + step * u.x, x.y + step * u.y, x.z + step * u.z, x.w};
+  parallel_blocks(scratch.offsets.size(), points_a_block, [&](std::size_t begin, std::size_t end, std::size_t) {
+    Point4 *offsets = scratch.offsets.data(), *velocities = scratch.velocities.data();
+    Point4* before = scratch.before.data();
+    const Point4* accelerations = scratch.accelerations.data();
+    for (std::size_t v = begin; v < end; ++v) {
+      const PointLanes x = load_point(offsets[v]);
+      const PointLanes u = add_multiple(load_point(velocities[v]), step, load_point(accelerations[v]));
+      store_point(x, before[v]);
+      store_point(u, velocities[v]);
+      store_point(add_multiple(x, step, u), offsets[v]);
+    }
   });
 }
 
@@ -163,10 +168,11 @@ void pull_to_goals(const ElasticModel& model, ElasticScratch& scratch) {
 
 void update_velocities(const ElasticModel& model, ElasticScratch& scratch) {
   const auto rate = static_cast<float>(model.substeps / model.step);
-  parallel_for_each(scratch.offsets.size(), points_a_block, [&](std::size_t v) {
-    const Point4 &x = scratch.offsets[v], &b = scratch.before[v];
-    Point4& u = scratch.velocities[v];
-    u = {rate * (x.x - b.x), rate * (x.y - b.y), rate * (x.z - b.z), u.w};
+  parallel_blocks(scratch.offsets.size(), points_a_block, [&](std::size_t begin, std::size_t end, std::size_t) {
+    const Point4 *offsets = scratch.offsets.data(), *before = scratch.before.data();
+    Point4* velocities = scratch.velocities.data();
+    for (std::size_t v = begin; v < end; ++v)
+      store_point(scaled_difference(rate, load_point(offsets[v]), load_point(before[v])), velocities[v]);
   });
 }
 

@@ -7,7 +7,7 @@
 namespace drape {
 
 template <typename Number>
-void load_fibre_group(const FibreStage& stage, const SplitPoints& start, std::size_t group,
+[[gnu::flatten]] void load_fibre_group(const FibreStage& stage, const SplitPoints& start, std::size_t group,
                       const LaneAccess<Number>& access, std::vector<LaneRow>& base) {
   const std::size_t first = stage.row_begin[group];
   SplitPoint<Number> a = gather(access, start, stage.vertices[first]);

@@ -31,6 +31,13 @@ TrianglePoints<Number> gather_triangle(const LaneAccess<Number>& access, const I
   return {access.gather(points, corners[0]), access.gather(points, corners[1]), access.gather(points, corners[2])};
 }
 template <typename Number>
+void scatter_triangle(const LaneAccess<Number>& access, const IndexRow* corners, const TrianglePoints<Number>& values,
+                      Point4* points) {
+  access.scatter(points, corners[0], values.a);
+  access.scatter(points, corners[1], values.b);
+  access.scatter(points, corners[2], values.c);
+}
+template <typename Number>
 TriangleEdges<Number> load_edges(const LaneAccess<Number>& access, const LaneRow* base) {
   return {load_vector(access, base), load_vector(access, base + 3)};
 }
@@ -45,7 +52,7 @@ TriangleEdges<Number> operator+(const TriangleEdges<Number>& s, const TriangleEd
 }
 
 template <typename Number>
-void load_membrane_row(const MembraneStage& stage, const SplitPoints& start, std::size_t row,
+[[gnu::flatten]] void load_membrane_row(const MembraneStage& stage, const SplitPoints& start, std::size_t row,
                        const LaneAccess<Number>& access, LaneRow* base) {
   const IndexRow* corners = &stage.corners[3 * row];
   const SplitPoint<Number> a = gather(access, start, corners[0]);
@@ -169,9 +176,7 @@ void move_triangle(const LaneAccess<Number>& access, const IndexRow* corners, co
     return multiply_add(along_e1, edges.e1, along_e2 * edges.e2);
   };
   move_corners(in_space(forces.b1, forces.b2), in_space(forces.c1, forces.c2), points);
-  access.scatter(offsets, corners[0], points.a);
-  access.scatter(offsets, corners[1], points.b);
-  access.scatter(offsets, corners[2], points.c);
+  scatter_triangle(access, corners, points, offsets);
 }
 
 // What passes between the phases of a tile.
@@ -222,9 +227,7 @@ inline void move_collinear(const MembraneStage& stage, const LaneRow* k, std::si
   const IndexRow* corners = &stage.corners[3 * row];
   TrianglePoints<float> moved = gather_triangle(access, corners, points);
   move_corners(in_space(f.b1, f.b2), in_space(f.c1, f.c2), moved);
-  access.scatter(points, corners[0], moved.a);
-  access.scatter(points, corners[1], moved.b);
-  access.scatter(points, corners[2], moved.c);
+  scatter_triangle(access, corners, moved, points);
 }
 
 // The collinear triangles of a tile, which its phases have left where they were. `damping`: points are velocities.
