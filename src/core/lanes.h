@@ -1,7 +1,8 @@
 #pragma once
 
-// The only file with vector instructions: eight floats side by side. Every operation is exact to the last bit as
-// IEEE 754 has it (no estimates, no contraction), so eight lanes give the same bits as eight floats one by one.
+// The only file with vector instructions: eight floats side by side. Every operation is exact to the last bit
+// as IEEE 754 has it (no estimates, no contraction), so eight lanes give the same bits as eight floats one by
+// one.
 
 #include <immintrin.h>
 
@@ -16,8 +17,8 @@ namespace drape {
 struct alignas(32) LaneRow {
   float values[8];
 };
-// Vertices, kept as places of floats in an array of Point4, without a sign, and lane i next to lane i + 4, which go
-// together into one register: fewer instructions for each of many loads.
+// Vertices, kept as places of floats in an array of Point4, without a sign, and lane i next to lane i + 4,
+// which go together into one register: fewer instructions for each of many loads.
 class alignas(32) IndexRow {
  public:
   int vertex(int lane) const { return static_cast<int>(places_[slot(lane)] / 4); }
@@ -172,7 +173,8 @@ struct LaneAccess<Lanes> {
     const float* first = &points->x;
     const auto two = [&](int i) {
       const auto [low, high] = indices.pair(i);
-      return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(first + low)), _mm_load_ps(first + high), 1);
+      return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(first + low)), _mm_load_ps(first + high),
+                                  1);
     };
     __m256 a = two(0), b = two(1), c = two(2), d = two(3);
     transpose_halves(a, b, c, d);

@@ -24,9 +24,9 @@ namespace {
 struct Cluster {
   std::vector<std::size_t> present;  // which of the six corners there are
   Eigen::MatrixXd affine;            // 1, u, v of each
-  Eigen::MatrixXd quadratic;         // u2/2, v2/2, uv/2 of each: the curvatures are along, across, twice the twist
-  Eigen::VectorXd heights;           // over the plane
-  double unit;                       // m
+  Eigen::MatrixXd quadratic;  // u2/2, v2/2, uv/2 of each: the curvatures are along, across, twice the twist
+  Eigen::VectorXd heights;    // over the plane
+  double unit;                // m
   Vec2 warp;
 };
 
@@ -46,7 +46,8 @@ Cluster flatten(const Sheet& sheet, int triangle, const std::array<int, 6>& corn
   cluster.quadratic.resize(count, 3);
   cluster.heights.resize(count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Vec3 from_origin = (x[corners[cluster.present[static_cast<std::size_t>(i)]]] - origin) / cluster.unit;
+    const Vec3 from_origin =
+        (x[corners[cluster.present[static_cast<std::size_t>(i)]]] - origin) / cluster.unit;
     const double u = axis.dot(from_origin), v = across.dot(from_origin);
     cluster.affine.row(i) << 1, u, v;
     cluster.quadratic.row(i) << 0.5 * u * u, 0.5 * v * v, 0.5 * u * v;
@@ -62,12 +63,13 @@ Eigen::MatrixXd affine_complement(const Cluster& cluster) {
   return q.rightCols(q.cols() - 3).transpose();
 }
 
-// What turns residuals of the basis of outer corners (bending.h) into those of `q`: as each outer corner is in one
-// of the former alone, and with weight 1, q's columns there.
+// What turns residuals of the basis of outer corners (bending.h) into those of `q`: as each outer corner is
+// in one of the former alone, and with weight 1, q's columns there.
 Eigen::Matrix3d from_outer_basis(const Cluster& cluster, const Eigen::MatrixXd& q) {
   Eigen::Matrix3d basis = Eigen::Matrix3d::Zero();
   for (std::size_t i = 3; i < cluster.present.size(); ++i)
-    basis.col(static_cast<Eigen::Index>(cluster.present[i]) - 3).head(q.rows()) = q.col(static_cast<Eigen::Index>(i));
+    basis.col(static_cast<Eigen::Index>(cluster.present[i]) - 3).head(q.rows()) =
+        q.col(static_cast<Eigen::Index>(i));
   return basis;
 }
 
@@ -84,9 +86,9 @@ Mat3 lower_root(const Mat3& matrix) {
   return lower;
 }
 
-// With S = (G D^-1 G^T)^-1, the least energy of a quadratic surface that has the residuals r is 1/2 A r^T S r (for
-// six points G is square, and S = G^-T D G^-1); its implicit step is K = (S^-1 / (A h2) + q W q^T)^-1. L of it, for
-// the outer corners.
+// With S = (G D^-1 G^T)^-1, the least energy of a quadratic surface that has the residuals r is 1/2 A r^T S r
+// (for six points G is square, and S = G^-T D G^-1); its implicit step is K = (S^-1 / (A h2) + q W q^T)^-1. L
+// of it, for the outer corners.
 Mat3 step_root(const Cluster& cluster, const Mat3& bending, double area_duration_squared,
                const Eigen::VectorXd& inverse_masses) {
   if (!(area_duration_squared > 0)) return Mat3::Zero();
@@ -106,7 +108,8 @@ Mat3 step_root(const Cluster& cluster, const Mat3& bending, double area_duration
 std::array<double, coordinate_rows> outer_coordinates(const Cluster& cluster) {
   std::array<double, coordinate_rows> coordinates{};
   Eigen::Matrix2d edges;
-  for (int i = 0; i < 2; ++i) edges.col(i) = (cluster.affine.row(i + 1) - cluster.affine.row(0)).tail<2>().transpose();
+  for (int i = 0; i < 2; ++i)
+    edges.col(i) = (cluster.affine.row(i + 1) - cluster.affine.row(0)).tail<2>().transpose();
   const Eigen::Matrix2d inverse = edges.inverse();
   for (std::size_t i = 3; i < cluster.present.size(); ++i) {
     const Vec2 from_first =
@@ -122,7 +125,8 @@ std::array<double, coordinate_rows> outer_coordinates(const Cluster& cluster) {
 Vec3 rest_residuals(const Cluster& cluster, const Mat3& lower) {
   Vec3 heights = Vec3::Zero();
   for (std::size_t i = 3; i < cluster.present.size(); ++i)
-    heights[static_cast<Eigen::Index>(cluster.present[i]) - 3] = cluster.heights[static_cast<Eigen::Index>(i)];
+    heights[static_cast<Eigen::Index>(cluster.present[i]) - 3] =
+        cluster.heights[static_cast<Eigen::Index>(i)];
   return lower.transpose() * heights;
 }
 
@@ -163,9 +167,9 @@ struct ClusterRoots {
   Mat3 pull, damping;
 };
 
-ClusterRoots cluster_roots(const Sheet& sheet, int triangle, const std::array<int, 6>& corners, const Cluster& cluster,
-                           const std::vector<double>& inverse_masses, double pull_duration_squared,
-                           double damping_duration_squared) {
+ClusterRoots cluster_roots(const Sheet& sheet, int triangle, const std::array<int, 6>& corners,
+                           const Cluster& cluster, const std::vector<double>& inverse_masses,
+                           double pull_duration_squared, double damping_duration_squared) {
   Eigen::VectorXd masses(static_cast<Eigen::Index>(cluster.present.size()));
   for (std::size_t i = 0; i < cluster.present.size(); ++i)
     masses[static_cast<Eigen::Index>(i)] = inverse_masses[corners[cluster.present[i]]];
@@ -221,6 +225,7 @@ BendingStage build_bending(const Sheet& sheet, const std::vector<int>& patches,
     for (int j = 0; stage.curved && j < 3; ++j)
       stage.rest[3 * row + static_cast<std::size_t>(j)].values[lane] = static_cast<float>(rest[j]);
   });
+  std::vector<int>().swap(stage.order.elements);
   return stage;
 }
 
@@ -238,7 +243,8 @@ void pull_bending(const BendingStage& stage, const std::vector<LaneRow>& base, s
 }
 
 void damp_bending(const BendingStage& stage, std::vector<Point4>& velocities) {
-  sweep(stage.order, [&](const RowRange& rows) { damp_bending_tile<Lanes>(stage, rows, {}, velocities.data()); });
+  sweep(stage.order,
+        [&](const RowRange& rows) { damp_bending_tile<Lanes>(stage, rows, {}, velocities.data()); });
 }
 
 }  // namespace drape

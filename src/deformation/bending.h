@@ -9,20 +9,22 @@
 
 namespace drape {
 
-// Outer-corner clusters (section 4.1, Fig. 2): the corners across a triangle's three edges, and its own three.
-// Six points fix one quadratic surface, whose curvature is what bends: with p_i the rest points in the triangle's
-// plane, three combinations
+// Outer-corner clusters (section 4.1, Fig. 2): the corners across a triangle's three edges, and its own
+// three. Six points fix one quadratic surface, whose curvature is what bends: with p_i the rest points in the
+// triangle's plane, three combinations
 //   r_j = sum_i q_ji x_i   with   sum_i q_ji = 0,  sum_i q_ji p_i = 0
-// are what no affine map of the rest shape explains (the residual of the linear matching of MHTG05, 4.2), and so no
-// stretch, shear or rigid motion changes them; they grow with the first power of a fold's angle. The potential is
-// 1/2 A k^T D k, with k = G^-1 r the second derivatives of that surface: exact for every cylinder and every mesh,
-// unlike energies of single edges, which weigh a fold by how the mesh is cut. Where corners are missing (a boundary,
-// or two that coincide), fewer combinations are left, and the curvature that they leave open is free of moments:
-// the natural boundary condition. A curved rest shape has r_j = rho_j n along the normal that fits best.
+// are what no affine map of the rest shape explains (the residual of the linear matching of MHTG05, 4.2), and
+// so no stretch, shear or rigid motion changes them; they grow with the first power of a fold's angle. The
+// potential is 1/2 A k^T D k, with k = G^-1 r the second derivatives of that surface: exact for every
+// cylinder and every mesh, unlike energies of single edges, which weigh a fold by how the mesh is cut. Where
+// corners are missing (a boundary, or two that coincide), fewer combinations are left, and the curvature that
+// they leave open is free of moments: the natural boundary condition. A curved rest shape has r_j = rho_j n
+// along the normal that fits best.
 //
-// As a basis of the combinations each outer corner serves with the own three: r_j = x_j - x_a - s_j (x_b - x_a)
-// - t_j (x_c - x_a), with a, b, c the own corners and (s_j, t_j) where corner j lies in their affine coordinates. With
-// K = L L^T the implicit step, the kernel has r' = L^T r, and moves by L r'.
+// As a basis of the combinations each outer corner serves with the own three: r_j = x_j - x_a - s_j (x_b -
+// x_a)
+// - t_j (x_c - x_a), with a, b, c the own corners and (s_j, t_j) where corner j lies in their affine
+// coordinates. With K = L L^T the implicit step, the kernel has r' = L^T r, and moves by L r'.
 struct BendingStage {
   SweepOrder order;
   std::vector<IndexRow> corners;     // 6 a row: own, then outer
@@ -36,7 +38,8 @@ constexpr std::size_t coordinate_rows = 6, bending_step_rows = 6;
 // Rows where a step starts: the r_j; where curved, then the triangle's edges too.
 inline std::size_t bending_base_rows(const BendingStage& stage) { return stage.curved ? 15 : 9; }
 
-// Own and outer corners of a triangle: -1 for those that are missing, coincide, or lie so that the others say more.
+// Own and outer corners of a triangle: -1 for those that are missing, coincide, or lie so that the others say
+// more.
 std::array<int, 6> bending_corners(const Sheet& sheet, int triangle);
 
 // Durations squared, of each material in s2, as in MembraneTerms: h2 for a pull, damping times h for damping.

@@ -3,8 +3,8 @@
 #include "deformation/bending.h"
 #include "deformation/membrane_kernel.h"
 
-// The arithmetic of bending.h for one tile of rows, as eight lanes (Number = Lanes) or one of them (float), in phases
-// as in membrane_kernel.h.
+// The arithmetic of bending.h for one tile of rows, as eight lanes (Number = Lanes) or one of them (float),
+// in phases as in membrane_kernel.h.
 namespace drape {
 
 template <typename Number>
@@ -38,8 +38,9 @@ LowerRoot<Number> load_root(const LaneAccess<Number>& access, const LaneRow* row
 
 // x_j - x_a - s_j (x_b - x_a) - t_j (x_c - x_a), from x_j - x_a and the triangle's edges.
 template <typename Number>
-Residuals<Number> residuals_of(const TriangleEdges<Number>& own, const LaneVec3<Number>& x1, const LaneVec3<Number>& x2,
-                               const LaneVec3<Number>& x3, const OuterCoordinates<Number>& where) {
+Residuals<Number> residuals_of(const TriangleEdges<Number>& own, const LaneVec3<Number>& x1,
+                               const LaneVec3<Number>& x2, const LaneVec3<Number>& x3,
+                               const OuterCoordinates<Number>& where) {
   const auto& [e1, e2] = own;
   return {subtract_product(where.t1, e2, subtract_product(where.s1, e1, x1)),
           subtract_product(where.t2, e2, subtract_product(where.s2, e1, x2)),
@@ -57,11 +58,12 @@ Residuals<Number> operator+(const Residuals<Number>& a, const Residuals<Number>&
 
 template <typename Number>
 [[gnu::flatten]] void load_bending_row(const BendingStage& stage, const SplitPoints& start, std::size_t row,
-                      const LaneAccess<Number>& access, LaneRow* base) {
+                                       const LaneAccess<Number>& access, LaneRow* base) {
   const IndexRow* corners = &stage.corners[6 * row];
   const OuterCoordinates<Number> where = load_coordinates(access, &stage.coordinates[coordinate_rows * row]);
   const SplitPoint<Number> a = gather(access, start, corners[0]);
-  const TriangleEdges<Number> own{gather(access, start, corners[1]) - a, gather(access, start, corners[2]) - a};
+  const TriangleEdges<Number> own{gather(access, start, corners[1]) - a,
+                                  gather(access, start, corners[2]) - a};
   const Residuals<Number> residuals =
       residuals_of(own, gather(access, start, corners[3]) - a, gather(access, start, corners[4]) - a,
                    gather(access, start, corners[5]) - a, where);
@@ -76,7 +78,8 @@ template <typename Number>
 template <typename Number>
 Residuals<Number> residuals_of(const BendingPoints<Number>& points, const OuterCoordinates<Number>& where) {
   const LaneVec3<Number>& a = points.own.a.p;
-  return residuals_of(edges_of(points.own), points.outer.a.p - a, points.outer.b.p - a, points.outer.c.p - a, where);
+  return residuals_of(edges_of(points.own), points.outer.a.p - a, points.outer.b.p - a, points.outer.c.p - a,
+                      where);
 }
 
 template <typename Number>
@@ -90,8 +93,8 @@ Residuals<Number> times(const LowerRoot<Number>& l, const Residuals<Number>& of)
           multiply_add(l.l33, of.r3, multiply_add(l.l32, of.r2, l.l31 * of.r1))};
 }
 
-// What the rest shape keeps of the residuals r': rho'_j along the unit vector n that fits all three best, on the side
-// of the triangle's normal. Any other n would exert a torque.
+// What the rest shape keeps of the residuals r': rho'_j along the unit vector n that fits all three best, on
+// the side of the triangle's normal. Any other n would exert a torque.
 template <typename Number>
 void subtract_rest(const LaneAccess<Number>& access, const LaneRow* rest, const TriangleEdges<Number>& edges,
                    Residuals<Number>& residuals) {
@@ -109,7 +112,8 @@ void subtract_rest(const LaneAccess<Number>& access, const LaneRow* rest, const 
 
 // Each point takes its inverse mass times the pulls: `pulls` of the outer corners, and what balances them.
 template <typename Number>
-void pull_own(const Residuals<Number>& pulls, const OuterCoordinates<Number>& where, TrianglePoints<Number>& own) {
+void pull_own(const Residuals<Number>& pulls, const OuterCoordinates<Number>& where,
+              TrianglePoints<Number>& own) {
   const auto& [m1, m2, m3] = pulls;
   const LaneVec3<Number> on_b = multiply_add(where.s3, m3, multiply_add(where.s2, m2, where.s1 * m1));
   const LaneVec3<Number> on_c = multiply_add(where.t3, m3, multiply_add(where.t2, m2, where.t1 * m1));
@@ -150,7 +154,8 @@ void move_tile(const BendingStage& stage, const std::vector<LaneRow>& roots, con
   for (std::size_t row = rows.first; row < rows.end; ++row) {
     const std::size_t i = row - rows.first;
     const IndexRow* corners = &stage.corners[6 * row];
-    const Residuals<Number> pulls = times(load_root(access, &roots[bending_step_rows * row]), tile.residuals[i]);
+    const Residuals<Number> pulls =
+        times(load_root(access, &roots[bending_step_rows * row]), tile.residuals[i]);
     BendingPoints<Number> moved = tile.points[i];
     pull_outer(pulls, moved.outer);
     scatter_triangle(access, corners + 3, moved.outer, points);
@@ -166,7 +171,8 @@ void scale_residuals(const LaneAccess<Number>& access, const LaneRow* root, Resi
 
 template <typename Number>
 [[gnu::flatten]] void pull_bending_tile(const BendingStage& stage, const std::vector<LaneRow>& base,
-                                        const RowRange& rows, const LaneAccess<Number>& access, Point4* offsets) {
+                                        const RowRange& rows, const LaneAccess<Number>& access,
+                                        Point4* offsets) {
   const std::size_t height = bending_base_rows(stage);
   BendingTile<Number> tile;
   gather_tile(stage, rows, access, offsets, tile);
@@ -179,7 +185,8 @@ template <typename Number>
     for (std::size_t row = rows.first; row < rows.end; ++row) {
       const std::size_t i = row - rows.first;
       subtract_rest(access, &stage.rest[3 * row],
-                    load_edges(access, &base[height * row + 9]) + edges_of(tile.points[i].own), tile.residuals[i]);
+                    load_edges(access, &base[height * row + 9]) + edges_of(tile.points[i].own),
+                    tile.residuals[i]);
     }
   move_tile(stage, stage.steps, rows, access, tile, offsets);
 }

@@ -86,7 +86,8 @@ ElasticModel build_elastic_model(const Sheet& sheet, const std::vector<double>& 
   for (const double inverse_mass : inverse_masses)
     model.inverse_masses.push_back({0, 0, 0, static_cast<float>(inverse_mass)});
   const int patch_count = *std::max_element(patches.begin(), patches.end()) + 1;
-  model.inverse_masses.resize(masses.size() + fillers_a_patch * static_cast<std::size_t>(patch_count), Point4{});
+  model.inverse_masses.resize(masses.size() + fillers_a_patch * static_cast<std::size_t>(patch_count),
+                              Point4{});
   return model;
 }
 
@@ -117,12 +118,13 @@ void damp(const ElasticModel& model, ElasticScratch& scratch) {
 }
 
 // Pinned points take equal parts of their way.
-void move_pinned(const ElasticModel& model, const std::vector<Vec3>& start, const std::vector<Vec3>& positions,
-                 double share, ElasticScratch& scratch) {
+void move_pinned(const ElasticModel& model, const std::vector<Vec3>& start,
+                 const std::vector<Vec3>& positions, double share, ElasticScratch& scratch) {
   for (std::size_t v = 0; v < start.size(); ++v) {
     if (model.inverse_masses[v].w > 0) continue;
     const Vec3 way = share * (positions[v] - start[v]);
-    scratch.offsets[v] = {static_cast<float>(way.x()), static_cast<float>(way.y()), static_cast<float>(way.z()), 0};
+    scratch.offsets[v] = {static_cast<float>(way.x()), static_cast<float>(way.y()),
+                          static_cast<float>(way.z()), 0};
   }
 }
 
@@ -145,18 +147,19 @@ void unload(const ElasticModel& model, const std::vector<Vec3>& start, const Ela
 void predict_offsets(const ElasticModel& model, ElasticScratch& scratch) {
   const auto step = static_cast<float>(model.step / model.substeps);
   scratch.before.resize(scratch.offsets.size());
-  parallel_blocks(scratch.offsets.size(), points_a_block, [&](std::size_t begin, std::size_t end, std::size_t) {
-    Point4 *offsets = scratch.offsets.data(), *velocities = scratch.velocities.data();
-    Point4* before = scratch.before.data();
-    const Point4* accelerations = scratch.accelerations.data();
-    for (std::size_t v = begin; v < end; ++v) {
-      const PointLanes x = load_point(offsets[v]);
-      const PointLanes u = add_multiple(load_point(velocities[v]), step, load_point(accelerations[v]));
-      store_point(x, before[v]);
-      store_point(u, velocities[v]);
-      store_point(add_multiple(x, step, u), offsets[v]);
-    }
-  });
+  parallel_blocks(
+      scratch.offsets.size(), points_a_block, [&](std::size_t begin, std::size_t end, std::size_t) {
+        Point4 *offsets = scratch.offsets.data(), *velocities = scratch.velocities.data();
+        Point4* before = scratch.before.data();
+        const Point4* accelerations = scratch.accelerations.data();
+        for (std::size_t v = begin; v < end; ++v) {
+          const PointLanes x = load_point(offsets[v]);
+          const PointLanes u = add_multiple(load_point(velocities[v]), step, load_point(accelerations[v]));
+          store_point(x, before[v]);
+          store_point(u, velocities[v]);
+          store_point(add_multiple(x, step, u), offsets[v]);
+        }
+      });
 }
 
 void pull_to_goals(const ElasticModel& model, ElasticScratch& scratch) {
@@ -168,16 +171,18 @@ void pull_to_goals(const ElasticModel& model, ElasticScratch& scratch) {
 
 void update_velocities(const ElasticModel& model, ElasticScratch& scratch) {
   const auto rate = static_cast<float>(model.substeps / model.step);
-  parallel_blocks(scratch.offsets.size(), points_a_block, [&](std::size_t begin, std::size_t end, std::size_t) {
-    const Point4 *offsets = scratch.offsets.data(), *before = scratch.before.data();
-    Point4* velocities = scratch.velocities.data();
-    for (std::size_t v = begin; v < end; ++v)
-      store_point(scaled_difference(rate, load_point(offsets[v]), load_point(before[v])), velocities[v]);
-  });
+  parallel_blocks(
+      scratch.offsets.size(), points_a_block, [&](std::size_t begin, std::size_t end, std::size_t) {
+        const Point4 *offsets = scratch.offsets.data(), *before = scratch.before.data();
+        Point4* velocities = scratch.velocities.data();
+        for (std::size_t v = begin; v < end; ++v)
+          store_point(scaled_difference(rate, load_point(offsets[v]), load_point(before[v])), velocities[v]);
+      });
 }
 
-void advance_elastic(const ElasticModel& model, const std::vector<Vec3>& accelerations, const std::vector<Vec3>& start,
-                     ElasticScratch& scratch, std::vector<Vec3>& positions, std::vector<Vec3>& velocities) {
+void advance_elastic(const ElasticModel& model, const std::vector<Vec3>& accelerations,
+                     const std::vector<Vec3>& start, ElasticScratch& scratch, std::vector<Vec3>& positions,
+                     std::vector<Vec3>& velocities) {
   load_elastic(model, start, scratch);
   load_vectors(model, velocities, scratch.velocities);
   load_vectors(model, accelerations, scratch.accelerations);

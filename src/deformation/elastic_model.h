@@ -21,16 +21,16 @@ struct ElasticModel {
   int substeps = 1;                    // equal parts of it in which the elastic pulls are made
 };
 
-// The substeps that the materials want. A stretch wave may cross so many edges in one: the pulls of one sweep reach
-// far along fibres, but what they leave undone grows with the square of the substep.
+// The substeps that the materials want. A stretch wave may cross so many edges in one: the pulls of one sweep
+// reach far along fibres, but what they leave undone grows with the square of the substep.
 int elastic_substeps(const Sheet& sheet, double step);
 
 // Pinned points weigh 1e4 times their mass where rotations are matched, so that triangles turn about them.
 ElasticModel build_elastic_model(const Sheet& sheet, const std::vector<double>& masses,
                                  const std::vector<char>& pinned, double gravity, double step, int substeps);
 
-// What a step works in. Positions are offsets in float from where the step starts: seven digits of how far a point
-// moves in a step, not of where it is.
+// What a step works in. Positions are offsets in float from where the step starts: seven digits of how far a
+// point moves in a step, not of where it is.
 struct ElasticScratch {
   SplitPoints start;
   std::vector<Point4> offsets, velocities, accelerations, before;
@@ -39,16 +39,17 @@ struct ElasticScratch {
   std::vector<Point4> tether_base;
 };
 
-// The motion of all points over one step without contact. `positions` and `velocities` come with their values at the
-// step's start, those of pinned points with where they end; they leave with their values at its end.
-void advance_elastic(const ElasticModel& model, const std::vector<Vec3>& accelerations, const std::vector<Vec3>& start,
-                     ElasticScratch& scratch, std::vector<Vec3>& positions, std::vector<Vec3>& velocities);
+// The motion of all points over one step without contact. `positions` and `velocities` come with their values
+// at the step's start, those of pinned points with where they end; they leave with their values at its end.
+void advance_elastic(const ElasticModel& model, const std::vector<Vec3>& accelerations,
+                     const std::vector<Vec3>& start, ElasticScratch& scratch, std::vector<Vec3>& positions,
+                     std::vector<Vec3>& velocities);
 
 // The verbs of one substep, for benchmarks and for the scalar twin in the tests.
 void load_elastic(const ElasticModel& model, const std::vector<Vec3>& start, ElasticScratch& scratch);
 void predict_offsets(const ElasticModel& model, ElasticScratch& scratch);
-// x* -> x**: the weak and wide stages first, so that the stiff ones have the last word. Of these the fibres go
-// before the own triangles: the other way round, a hanging sheet stretches several times as much.
+// x* -> x**: the weak and wide stages first, so that the stiff ones have the last word. Of these the fibres
+// go before the own triangles: the other way round, a hanging sheet stretches several times as much.
 void pull_to_goals(const ElasticModel& model, ElasticScratch& scratch);
 void update_velocities(const ElasticModel& model, ElasticScratch& scratch);
 

@@ -24,8 +24,8 @@ double strain_limit(const Sheet& sheet, const Edge& edge) {
 }
 
 // One lane of a group: a fibre, then its last vertex over and over, in edges of no length and no tension.
-void fill_lane(const Sheet& sheet, const std::vector<int>& fibre, const std::vector<double>& stiffnesses, double step,
-               std::size_t first_row, int lane, FibreStage& stage) {
+void fill_lane(const Sheet& sheet, const std::vector<int>& fibre, const std::vector<double>& stiffnesses,
+               double step, std::size_t first_row, int lane, FibreStage& stage) {
   for (std::size_t row = first_row; row < stage.vertices.size(); ++row) {
     const std::size_t i = row - first_row;
     stage.vertices[row].set(lane, fibre[std::min(i, fibre.size() - 1)]);
@@ -40,8 +40,8 @@ void fill_lane(const Sheet& sheet, const std::vector<int>& fibre, const std::vec
 }
 
 // The fibres of one colour in groups of eight, the long ones together.
-void append_color(const Sheet& sheet, std::vector<std::vector<int>> fibres, const std::vector<double>& stiffnesses,
-                  double step, FibreStage& stage) {
+void append_color(const Sheet& sheet, std::vector<std::vector<int>> fibres,
+                  const std::vector<double>& stiffnesses, double step, FibreStage& stage) {
   std::stable_sort(fibres.begin(), fibres.end(),
                    [](const auto& a, const auto& b) { return a.size() > b.size(); });
   const int filler = static_cast<int>(sheet.rest_positions.size());
@@ -53,8 +53,8 @@ void append_color(const Sheet& sheet, std::vector<std::vector<int>> fibres, cons
     stage.longest.resize(rows, LaneRow{});
     for (int lane = 0; lane < Lanes::count; ++lane) {
       const std::size_t i = first + static_cast<std::size_t>(lane);
-      fill_lane(sheet, i < fibres.size() ? fibres[i] : std::vector<int>{filler}, stiffnesses, step, first_row, lane,
-                stage);
+      fill_lane(sheet, i < fibres.size() ? fibres[i] : std::vector<int>{filler}, stiffnesses, step, first_row,
+                lane, stage);
     }
     stage.row_begin.push_back(rows);
     stage.longest_group = std::max(stage.longest_group, rows - first_row);

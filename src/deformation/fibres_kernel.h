@@ -8,7 +8,7 @@ namespace drape {
 
 template <typename Number>
 [[gnu::flatten]] void load_fibre_group(const FibreStage& stage, const SplitPoints& start, std::size_t group,
-                      const LaneAccess<Number>& access, std::vector<LaneRow>& base) {
+                                       const LaneAccess<Number>& access, std::vector<LaneRow>& base) {
   const std::size_t first = stage.row_begin[group];
   SplitPoint<Number> a = gather(access, start, stage.vertices[first]);
   for (std::size_t row = first; row < stage.row_begin[group + 1]; ++row) {
@@ -18,9 +18,11 @@ template <typename Number>
   }
 }
 
-// Rows of scratch a vertex: the point; of the edge that ends there its unit vector, inverse pivot, tension and coupling.
+// Rows of scratch a vertex: the point; of the edge that ends there its unit vector, inverse pivot, tension
+// and coupling.
 struct FibreWork {
-  static constexpr std::size_t point = 0, inverse_mass = 3, direction = 4, pivot = 7, tension = 8, coupling = 9;
+  static constexpr std::size_t point = 0, inverse_mass = 3, direction = 4, pivot = 7, tension = 8,
+                               coupling = 9;
 };
 constexpr std::size_t fibre_work_rows = 10;
 
@@ -58,7 +60,8 @@ void eliminate(const FibreStage& stage, const std::vector<LaneRow>& base, std::s
     work += fibre_work_rows;
     const LanePoint<Number> b = access.gather(offsets, stage.vertices[row]);
     store_point(access, b, work);
-    const FibreEdge<Number> edge = fibre_edge(stage, row, access, load_vector(access, &base[3 * row]) + (b.p - a.p));
+    const FibreEdge<Number> edge =
+        fibre_edge(stage, row, access, load_vector(access, &base[3 * row]) + (b.p - a.p));
     const Number coupling = -(a.w * dot(before, edge.direction));
     const Number factor = coupling * pivot_before;
     const Number diagonal = subtract_product(factor, coupling, (a.w + b.w) + edge.compliance);
@@ -75,8 +78,8 @@ void eliminate(const FibreStage& stage, const std::vector<LaneRow>& base, std::s
 
 // Substitutes back, and moves each vertex by the tensions of its two edges.
 template <typename Number>
-void apply_tensions(const FibreStage& stage, std::size_t first, std::size_t end, const LaneAccess<Number>& access,
-                    const LaneRow* work, Point4* offsets) {
+void apply_tensions(const FibreStage& stage, std::size_t first, std::size_t end,
+                    const LaneAccess<Number>& access, const LaneRow* work, Point4* offsets) {
   LaneVec3<Number> pull_after{Number(0), Number(0), Number(0)};
   Number tension_after(0), coupling_after(0);
   const auto move = [&](std::size_t row, const LaneRow* of, const LaneVec3<Number>& pull) {
@@ -99,8 +102,9 @@ void apply_tensions(const FibreStage& stage, std::size_t first, std::size_t end,
 }
 
 template <typename Number>
-[[gnu::flatten]] void pull_fibre_group(const FibreStage& stage, const std::vector<LaneRow>& base, std::size_t group,
-                                       const LaneAccess<Number>& access, LaneRow* work, Point4* offsets) {
+[[gnu::flatten]] void pull_fibre_group(const FibreStage& stage, const std::vector<LaneRow>& base,
+                                       std::size_t group, const LaneAccess<Number>& access, LaneRow* work,
+                                       Point4* offsets) {
   const std::size_t first = stage.row_begin[group], end = stage.row_begin[group + 1];
   eliminate(stage, base, first, end, access, work, offsets);
   apply_tensions(stage, first, end, access, work, offsets);

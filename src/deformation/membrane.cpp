@@ -11,8 +11,8 @@ RestFrame rest_frame(const Sheet& sheet, int triangle, const std::vector<double>
   const auto [r1, r2] = matched_frame<double>(match.k1, match.k2, x[b] - x[a], x[c] - x[a]);
   const Vec3 warp = warp_in_plane(sheet, triangle);
   const auto in_frame = [&r1 = r1, &r2 = r2](const Vec3& v) { return Vec2(r1.dot(v), r2.dot(v)); };
-  return {in_frame(x[b] - x[a]), in_frame(x[c] - x[a]), in_frame(warp).normalized(),
-          match.k1,              match.k2,              rest_area(sheet, triangle)};
+  return {in_frame(x[b] - x[a]),     in_frame(x[c] - x[a]), in_frame(warp).normalized(), match.k1, match.k2,
+          rest_area(sheet, triangle)};
 }
 
 namespace {
@@ -59,7 +59,8 @@ std::array<double, MembraneShape::count> shape_constants(const RestFrame& frame)
   return {frame.k1, frame.k2, d(0, 0), d(0, 1), d(1, 0), d(1, 1)};
 }
 
-std::array<double, stress_rows> stress_constants(const RestFrame& frame, const Mat3& tensor, double duration_squared,
+std::array<double, stress_rows> stress_constants(const RestFrame& frame, const Mat3& tensor,
+                                                 double duration_squared,
                                                  const std::array<double, 3>& inverse_masses) {
   const Mat3 k = implicit_stress(tensor, frame.area * duration_squared, inverse_shape(frame), inverse_masses);
   return {k(0, 0), k(0, 1), k(0, 2), k(1, 1), k(1, 2), k(2, 2)};
@@ -70,9 +71,9 @@ constexpr std::array<double, MembraneShape::count> filler_shape = {0, 1};
 
 }  // namespace
 
-MembraneStage build_membrane(const Sheet& sheet, const std::vector<int>& patches, const std::vector<double>& weights,
-                             const std::vector<double>& inverse_masses, const MembraneTerms& pull,
-                             const MembraneTerms& damping) {
+MembraneStage build_membrane(const Sheet& sheet, const std::vector<int>& patches,
+                             const std::vector<double>& weights, const std::vector<double>& inverse_masses,
+                             const MembraneTerms& pull, const MembraneTerms& damping) {
   MembraneStage stage{sweep_order(patches, sheet.triangles), {}, {}, {}, {}};
   const std::size_t rows = stage.order.row_count();
   stage.corners.resize(3 * rows);
@@ -81,7 +82,8 @@ MembraneStage build_membrane(const Sheet& sheet, const std::vector<int>& patches
   stage.dampings.resize(stress_rows * rows, LaneRow{});
   for_each_lane(stage.order, weights.size(), [&](int triangle, std::size_t row, int lane, int filler) {
     for (std::size_t k = 0; k < 3; ++k)
-      stage.corners[3 * row + k].set(lane, triangle < 0 ? filler + static_cast<int>(k) : sheet.triangles[triangle][k]);
+      stage.corners[3 * row + k].set(
+          lane, triangle < 0 ? filler + static_cast<int>(k) : sheet.triangles[triangle][k]);
     LaneRow* shape = &stage.shapes[MembraneShape::count * row];
     if (triangle < 0) return set(shape, lane, filler_shape);
     const RestFrame frame = rest_frame(sheet, triangle, weights);
@@ -94,6 +96,7 @@ MembraneStage build_membrane(const Sheet& sheet, const std::vector<int>& patches
     set(&stage.stresses[stress_rows * row], lane, stress(pull));
     set(&stage.dampings[stress_rows * row], lane, stress(damping));
   });
+  std::vector<int>().swap(stage.order.elements);
   return stage;
 }
 
@@ -104,12 +107,14 @@ void load_membrane(const MembraneStage& stage, const SplitPoints& start, std::ve
   });
 }
 
-void pull_membrane(const MembraneStage& stage, const std::vector<LaneRow>& base, std::vector<Point4>& offsets) {
+void pull_membrane(const MembraneStage& stage, const std::vector<LaneRow>& base,
+                   std::vector<Point4>& offsets) {
   sweep(stage.order,
         [&](const RowRange& rows) { pull_membrane_tile<Lanes>(stage, base, rows, {}, offsets.data()); });
 }
 
-void damp_membrane(const MembraneStage& stage, const std::vector<LaneRow>& base, std::vector<Point4>& velocities) {
+void damp_membrane(const MembraneStage& stage, const std::vector<LaneRow>& base,
+                   std::vector<Point4>& velocities) {
   sweep(stage.order,
         [&](const RowRange& rows) { damp_membrane_tile<Lanes>(stage, base, rows, {}, velocities.data()); });
 }

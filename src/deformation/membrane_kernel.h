@@ -3,8 +3,9 @@
 #include "deformation/membrane.h"
 #include "deformation/triangle_match.h"
 
-// The arithmetic of membrane.h for one tile of rows, as eight lanes (Number = Lanes) or one of them (float). Each loop
-// over the rows is one phase; what passes from one to the next lies in small arrays (SweepOrder says why).
+// The arithmetic of membrane.h for one tile of rows, as eight lanes (Number = Lanes) or one of them (float).
+// Each loop over the rows is one phase; what passes from one to the next lies in small arrays (SweepOrder
+// says why).
 namespace drape {
 
 template <typename Number>
@@ -28,11 +29,12 @@ struct TriangleEdges {
 template <typename Number>
 TrianglePoints<Number> gather_triangle(const LaneAccess<Number>& access, const IndexRow* corners,
                                        const Point4* points) {
-  return {access.gather(points, corners[0]), access.gather(points, corners[1]), access.gather(points, corners[2])};
+  return {access.gather(points, corners[0]), access.gather(points, corners[1]),
+          access.gather(points, corners[2])};
 }
 template <typename Number>
-void scatter_triangle(const LaneAccess<Number>& access, const IndexRow* corners, const TrianglePoints<Number>& values,
-                      Point4* points) {
+void scatter_triangle(const LaneAccess<Number>& access, const IndexRow* corners,
+                      const TrianglePoints<Number>& values, Point4* points) {
   access.scatter(points, corners[0], values.a);
   access.scatter(points, corners[1], values.b);
   access.scatter(points, corners[2], values.c);
@@ -53,14 +55,15 @@ TriangleEdges<Number> operator+(const TriangleEdges<Number>& s, const TriangleEd
 
 template <typename Number>
 [[gnu::flatten]] void load_membrane_row(const MembraneStage& stage, const SplitPoints& start, std::size_t row,
-                       const LaneAccess<Number>& access, LaneRow* base) {
+                                        const LaneAccess<Number>& access, LaneRow* base) {
   const IndexRow* corners = &stage.corners[3 * row];
   const SplitPoint<Number> a = gather(access, start, corners[0]);
   store_vector(access, gather(access, start, corners[1]) - a, base);
   store_vector(access, gather(access, start, corners[2]) - a, base + 3);
 }
 
-// All that the match of a triangle needs of its edges: their products, and n^2 of the doubled area n = |e1 x e2|.
+// All that the match of a triangle needs of its edges: their products, and n^2 of the doubled area n = |e1 x
+// e2|.
 template <typename Number>
 struct EdgeProducts {
   Number e11, e12, e22, n_squared;
@@ -80,14 +83,15 @@ Number soundness(const EdgeProducts<Number>& products) {
 }
 
 // The two columns of the rotation that matches the rest triangle to the edges, as sums of the edges:
-// r1 = a1 e1 + b1 e2, r2 = a2 e1 + b2 e2. With these, r1.e1 = n b2, r1.e2 = -n a2, r2.e1 = -n b1 and r2.e2 = n a1.
+// r1 = a1 e1 + b1 e2, r2 = a2 e1 + b2 e2. With these, r1.e1 = n b2, r1.e2 = -n a2, r2.e1 = -n b1 and r2.e2 =
+// n a1.
 template <typename Number>
 struct MatchedFrame {
   Number a1, b1, a2, b2, n;
 };
 
-// With v = k1 e1 + k2 e2 (triangle_match.h), L = |e1 + v x n/|n||: L2 = e1.e1 + v.v + 2 k2 n is a sum of what is not
-// negative, and so loses no digits. Collinear triangles get a frame of zeros, which moves nothing.
+// With v = k1 e1 + k2 e2 (triangle_match.h), L = |e1 + v x n/|n||: L2 = e1.e1 + v.v + 2 k2 n is a sum of what
+// is not negative, and so loses no digits. Collinear triangles get a frame of zeros, which moves nothing.
 template <typename Number>
 MatchedFrame<Number> match_triangle(const EdgeProducts<Number>& products, Number k1, Number k2) {
   const auto& [e11, e12, e22, n_squared] = products;
@@ -96,7 +100,8 @@ MatchedFrame<Number> match_triangle(const EdgeProducts<Number>& products, Number
   const Number length_squared = multiply_add(k1, ve1, multiply_add(k2, ve2, multiply_add(k2 + k2, n, e11)));
   const Number scale =
       where_positive(soundness(products), Number(1) / (square_root(length_squared) * n), Number(0));
-  return {(n + ve2) * scale, -(ve1 * scale), multiply_add(k1, n, -e12) * scale, multiply_add(k2, n, e11) * scale, n};
+  return {(n + ve2) * scale, -(ve1 * scale), multiply_add(k1, n, -e12) * scale,
+          multiply_add(k2, n, e11) * scale, n};
 }
 
 // The inverse of the rest edges, and the K of one triangle.
@@ -107,7 +112,8 @@ struct MembraneConstants {
 };
 
 template <typename Number>
-MembraneConstants<Number> load_constants(const LaneAccess<Number>& access, const LaneRow* shape, const LaneRow* k) {
+MembraneConstants<Number> load_constants(const LaneAccess<Number>& access, const LaneRow* shape,
+                                         const LaneRow* k) {
   const LaneRow* d = shape + MembraneShape::inverse_shape;
   return {access.load(d[0]), access.load(d[1]), access.load(d[2]), access.load(d[3]), access.load(k[0]),
           access.load(k[1]), access.load(k[2]), access.load(k[3]), access.load(k[4]), access.load(k[5])};
@@ -131,7 +137,8 @@ template <typename Number>
 MembraneStrain<Number> matched_strain(const MembraneConstants<Number>& c, const MatchedFrame<Number>& f) {
   const auto& [a1, b1, a2, b2, n] = f;
   const MembraneStrain<Number> per_n = gradient(c, b2, -a2, -b1, a1);
-  return {multiply_add(n, per_n.along, Number(-1)), multiply_add(n, per_n.across, Number(-1)), n * per_n.shear};
+  return {multiply_add(n, per_n.along, Number(-1)), multiply_add(n, per_n.across, Number(-1)),
+          n * per_n.shear};
 }
 
 template <typename Number>
@@ -160,16 +167,17 @@ FrameForces<Number> frame_forces(const MembraneConstants<Number>& c, const Membr
 
 // Moves the corners against forces on the second and third; a corner's share is its inverse mass.
 template <typename Number>
-void move_corners(const LaneVec3<Number>& on_b, const LaneVec3<Number>& on_c, TrianglePoints<Number>& points) {
+void move_corners(const LaneVec3<Number>& on_b, const LaneVec3<Number>& on_c,
+                  TrianglePoints<Number>& points) {
   points.a.p = multiply_add(points.a.w, on_b + on_c, points.a.p);
   points.b.p = subtract_product(points.b.w, on_b, points.b.p);
   points.c.p = subtract_product(points.c.w, on_c, points.c.p);
 }
 
 template <typename Number>
-void move_triangle(const LaneAccess<Number>& access, const IndexRow* corners, const FrameForces<Number>& forces,
-                   const MatchedFrame<Number>& frame, const TriangleEdges<Number>& edges,
-                   TrianglePoints<Number> points, Point4* offsets) {
+void move_triangle(const LaneAccess<Number>& access, const IndexRow* corners,
+                   const FrameForces<Number>& forces, const MatchedFrame<Number>& frame,
+                   const TriangleEdges<Number>& edges, TrianglePoints<Number> points, Point4* offsets) {
   const auto in_space = [&](Number f1, Number f2) {
     const Number along_e1 = multiply_add(f1, frame.a1, f2 * frame.a2);
     const Number along_e2 = multiply_add(f1, frame.b1, f2 * frame.b2);
@@ -201,11 +209,11 @@ void match_tile(const MembraneStage& stage, const RowRange& rows, const LaneAcce
   }
 }
 
-// A collinear triangle, with any normal that serves, in double. `edges` make its frame, `strained` strain it: the
-// edges themselves, less 1 (`rest`), or their rates.
+// A collinear triangle, with any normal that serves, in double. `edges` make its frame, `strained` strain it:
+// the edges themselves, less 1 (`rest`), or their rates.
 inline void move_collinear(const MembraneStage& stage, const LaneRow* k, std::size_t row, int lane,
-                           const TriangleEdges<float>& edges, const TriangleEdges<float>& strained, float rest,
-                           Point4* points) {
+                           const TriangleEdges<float>& edges, const TriangleEdges<float>& strained,
+                           float rest, Point4* points) {
   const LaneAccess<float> access{lane};
   const LaneRow* shape = &stage.shapes[MembraneShape::count * row];
   const MembraneConstants<float> c = load_constants(access, shape, k);
@@ -213,7 +221,9 @@ inline void move_collinear(const MembraneStage& stage, const LaneRow* k, std::si
   const auto [r1, r2] =
       matched_frame<double>(access.load(shape[MembraneShape::k1]), access.load(shape[MembraneShape::k2]),
                             vector(edges.e1), vector(edges.e2));
-  const auto product = [&](const Vec3& r, const LaneVec3<float>& e) { return static_cast<float>(r.dot(vector(e))); };
+  const auto product = [&](const Vec3& r, const LaneVec3<float>& e) {
+    return static_cast<float>(r.dot(vector(e)));
+  };
   MembraneStrain<float> strain = gradient(c, product(r1, strained.e1), product(r1, strained.e2),
                                           product(r2, strained.e1), product(r2, strained.e2));
   strain.along -= rest;
@@ -230,11 +240,13 @@ inline void move_collinear(const MembraneStage& stage, const LaneRow* k, std::si
   scatter_triangle(access, corners, moved, points);
 }
 
-// The collinear triangles of a tile, which its phases have left where they were. `damping`: points are velocities.
+// The collinear triangles of a tile, which its phases have left where they were. `damping`: points are
+// velocities.
 template <typename Number>
 [[gnu::noinline]] void move_collinear_triangles(const MembraneStage& stage, const std::vector<LaneRow>& base,
                                                 const RowRange& rows, const LaneAccess<Number>& lanes,
-                                                const MembraneTile<Number>& tile, bool damping, Point4* points) {
+                                                const MembraneTile<Number>& tile, bool damping,
+                                                Point4* points) {
   const LaneRow* k = damping ? stage.dampings.data() : stage.stresses.data();
   for (std::size_t row = rows.first; row < rows.end; ++row) {
     LaneRow sound;
@@ -254,7 +266,8 @@ template <typename Number>
 
 template <typename Number>
 [[gnu::flatten]] void pull_membrane_tile(const MembraneStage& stage, const std::vector<LaneRow>& base,
-                                         const RowRange& rows, const LaneAccess<Number>& access, Point4* offsets) {
+                                         const RowRange& rows, const LaneAccess<Number>& access,
+                                         Point4* offsets) {
   MembraneTile<Number> tile;
   for (std::size_t row = rows.first; row < rows.end; ++row) {
     const std::size_t i = row - rows.first;
@@ -265,17 +278,19 @@ template <typename Number>
   match_tile(stage, rows, access, tile);
   for (std::size_t row = rows.first; row < rows.end; ++row) {
     const std::size_t i = row - rows.first;
-    const MembraneConstants<Number> constants = load_constants(
-        access, &stage.shapes[MembraneShape::count * row], &stage.stresses[stress_rows * row]);
+    const MembraneConstants<Number> constants =
+        load_constants(access, &stage.shapes[MembraneShape::count * row], &stage.stresses[stress_rows * row]);
     const FrameForces<Number> forces = frame_forces(constants, matched_strain(constants, tile.frames[i]));
-    move_triangle(access, &stage.corners[3 * row], forces, tile.frames[i], tile.edges[i], tile.points[i], offsets);
+    move_triangle(access, &stage.corners[3 * row], forces, tile.frames[i], tile.edges[i], tile.points[i],
+                  offsets);
   }
   if (!tile.sound) move_collinear_triangles(stage, base, rows, access, tile, false, offsets);
 }
 
 template <typename Number>
 [[gnu::flatten]] void damp_membrane_tile(const MembraneStage& stage, const std::vector<LaneRow>& base,
-                                         const RowRange& rows, const LaneAccess<Number>& access, Point4* velocities) {
+                                         const RowRange& rows, const LaneAccess<Number>& access,
+                                         Point4* velocities) {
   MembraneTile<Number> tile;
   for (std::size_t row = rows.first; row < rows.end; ++row) {
     const std::size_t i = row - rows.first;
@@ -286,11 +301,12 @@ template <typename Number>
   match_tile(stage, rows, access, tile);
   for (std::size_t row = rows.first; row < rows.end; ++row) {
     const std::size_t i = row - rows.first;
-    const MembraneConstants<Number> constants = load_constants(
-        access, &stage.shapes[MembraneShape::count * row], &stage.dampings[stress_rows * row]);
+    const MembraneConstants<Number> constants =
+        load_constants(access, &stage.shapes[MembraneShape::count * row], &stage.dampings[stress_rows * row]);
     const FrameForces<Number> forces = frame_forces(
         constants, strain_rate(constants, tile.frames[i], tile.edges[i], edges_of(tile.points[i])));
-    move_triangle(access, &stage.corners[3 * row], forces, tile.frames[i], tile.edges[i], tile.points[i], velocities);
+    move_triangle(access, &stage.corners[3 * row], forces, tile.frames[i], tile.edges[i], tile.points[i],
+                  velocities);
   }
   if (!tile.sound) move_collinear_triangles(stage, base, rows, access, tile, true, velocities);
 }

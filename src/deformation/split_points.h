@@ -7,8 +7,8 @@
 
 namespace drape {
 
-// Points in double precision as sums of two floats. A difference of two of them is right to about a float's last
-// digit however far from the origin they lie, and vector instructions take it as it comes.
+// Points in double precision as sums of two floats. A difference of two of them is right to about a float's
+// last digit however far from the origin they lie, and vector instructions take it as it comes.
 struct SplitPoints {
   std::vector<Point4> high, low;
 };
@@ -21,7 +21,8 @@ struct SplitPoint {
   LaneVec3<Number> high, low;
 };
 template <typename Number>
-SplitPoint<Number> gather(const LaneAccess<Number>& access, const SplitPoints& points, const IndexRow& indices) {
+SplitPoint<Number> gather(const LaneAccess<Number>& access, const SplitPoints& points,
+                          const IndexRow& indices) {
   return {access.gather(points.high.data(), indices).p, access.gather(points.low.data(), indices).p};
 }
 template <typename Number>

@@ -29,10 +29,9 @@ void halve(const std::vector<Vec3>& positions, std::size_t largest_patch, std::s
   }
   const int axis = longest_axis(positions, vertices);
   const std::size_t half = vertices.size() / 2;
-  std::nth_element(vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(half), vertices.end(),
-                   [&](int a, int b) {
-                     return std::pair(positions[a][axis], a) < std::pair(positions[b][axis], b);
-                   });
+  std::nth_element(
+      vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(half), vertices.end(),
+      [&](int a, int b) { return std::pair(positions[a][axis], a) < std::pair(positions[b][axis], b); });
   halve(positions, largest_patch, vertices.first(half), patches, patch_count);
   halve(positions, largest_patch, vertices.subspan(half), patches, patch_count);
 }
@@ -66,8 +65,8 @@ Coloring color_lists(int vertex_count, const ElementLists& lists, const std::vec
   return color_elements(vertex_count, list_begin, list_vertices);
 }
 
-// Colours of the elements of one patch, with its vertices numbered anew: what it takes must not grow with the mesh.
-// `numbers` holds -1 for every vertex, before and after.
+// Colours of the elements of one patch, with its vertices numbered anew: what it takes must not grow with the
+// mesh. `numbers` holds -1 for every vertex, before and after.
 Coloring color_patch(const std::vector<int>& patch, const std::vector<std::size_t>& begin,
                      const std::vector<int>& vertices, std::vector<int>& numbers) {
   std::vector<std::size_t> own_begin{0};

@@ -9,15 +9,16 @@
 
 namespace drape {
 
-// An order for Gauss-Seidel sweeps over elements that is quick and gives the same bits for any number of threads.
-// Elements lie in rows of eight (one element a lane), rows in tiles; the elements of a tile share no vertex, so that
-// a kernel may take a tile phase by phase: each phase alone keeps a core busy, where a whole row at once mostly waits
-// for its own square roots and divisions. Tiles lie in patches, which fit a core's cache; patches lie in colours, of
-// which no two patches share a vertex and so can be swept at once.
+// An order for Gauss-Seidel sweeps over elements that is quick and gives the same bits for any number of
+// threads. Elements lie in rows of eight (one element a lane), rows in tiles; the elements of a tile share no
+// vertex, so that a kernel may take a tile phase by phase: each phase alone keeps a core busy, where a whole
+// row at once mostly waits for its own square roots and divisions. Tiles lie in patches, which fit a core's
+// cache; patches lie in colours, of which no two patches share a vertex and so can be swept at once.
 struct SweepOrder {
   static constexpr std::size_t largest_tile = 4;  // rows
 
-  std::vector<int> elements;             // eight a row; -1: a filler, where a colour of a patch has none left
+  // Eight a row; -1: a filler, where a colour of a patch has none left. Stages drop them when they are built.
+  std::vector<int> elements;
   std::vector<std::size_t> tile_begin;   // rows of tile t: [tile_begin[t] .. tile_begin[t + 1])
   std::vector<std::size_t> patch_begin;  // tiles of patch p: [patch_begin[p] .. patch_begin[p + 1])
   std::vector<std::size_t> color_begin;  // patches of colour c: [color_begin[c] .. color_begin[c + 1])
@@ -64,8 +65,8 @@ void sweep(const SweepOrder& order, const Body& body) {
   }
 }
 
-// Fillers of a patch have vertices of their own, behind those of the mesh, so that threads do not meet there; and
-// three of them, so that they make a triangle as sound as any.
+// Fillers of a patch have vertices of their own, behind those of the mesh, so that threads do not meet there;
+// and three of them, so that they make a triangle as sound as any.
 constexpr std::size_t fillers_a_patch = 3;
 
 // Calls body(element, row, lane, first_filler_vertex) for every lane of every row, element -1 for fillers.

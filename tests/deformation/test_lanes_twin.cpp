@@ -1,4 +1,5 @@
-// The kernels as eight lanes against the same kernels as floats, one lane after the other: equal to the last bit.
+// The kernels as eight lanes against the same kernels as floats, one lane after the other: equal to the last
+// bit.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,9 @@ namespace {
 class Random {
  public:
   explicit Random(unsigned seed) : engine_(seed) {}
-  double between(double low, double high) { return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0); }
+  double between(double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0);
+  }
   Vec3 vector(double size) {
     const double x = between(-size, size), y = between(-size, size);
     return {x, y, between(-size, size)};
@@ -37,7 +40,8 @@ TriangleMesh jittered_grid(int points) {
 }
 
 Sheet sheet_of(const TriangleMesh& mesh) {
-  Sheet sheet{mesh.positions, mesh.triangles, std::vector<int>(mesh.triangles.size(), 0), {{}}, {Vec3(1, 0, 0)}, {}};
+  Sheet sheet{mesh.positions, mesh.triangles,  std::vector<int>(mesh.triangles.size(), 0),
+              {{}},           {Vec3(1, 0, 0)}, {}};
   sheet.topology = build_topology(static_cast<int>(mesh.positions.size()), mesh.triangles);
   return sheet;
 }
@@ -74,7 +78,9 @@ bool same_bits(const std::vector<Point4>& a, const std::vector<Point4>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Point4)) == 0;
 }
 
-bool moved(const std::vector<Point4>& before, const std::vector<Point4>& after) { return !same_bits(before, after); }
+bool moved(const std::vector<Point4>& before, const std::vector<Point4>& after) {
+  return !same_bits(before, after);
+}
 
 // body(rows, access) for every tile of a sweep, and every lane of it.
 template <typename Body>
