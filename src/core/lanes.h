@@ -49,6 +49,8 @@ struct PointLanes {
 };
 inline PointLanes load_point(const Point4& point) { return {_mm_load_ps(&point.x)}; }
 inline void store_point(PointLanes value, Point4& point) { _mm_store_ps(&point.x, value.v); }
+inline PointLanes operator+(PointLanes a, PointLanes b) { return {_mm_add_ps(a.v, b.v)}; }
+inline PointLanes operator-(PointLanes a, PointLanes b) { return {_mm_sub_ps(a.v, b.v)}; }
 // a + s b in x, y, z, and w of a.
 inline PointLanes add_multiple(PointLanes a, float s, PointLanes b) {
   return {_mm_blend_ps(_mm_add_ps(a.v, _mm_mul_ps(_mm_set1_ps(s), b.v)), a.v, 8)};

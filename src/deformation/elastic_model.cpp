@@ -97,7 +97,7 @@ void load_elastic(const ElasticModel& model, const std::vector<Vec3>& start, Ela
   load_bending(model.bending, scratch.start, scratch.bending_base);
   load_membrane(model.membrane, scratch.start, scratch.membrane_base);
   load_fibres(model.fibres, scratch.start, scratch.fibres);
-  load_tethers(model.tethers, start, scratch.tether_base);
+  load_tethers(model.tethers, scratch.start, scratch.tether_base);
 }
 
 namespace {

@@ -87,10 +87,11 @@ MembraneStage build_membrane(const Sheet& sheet, const std::vector<int>& patches
     LaneRow* shape = &stage.shapes[MembraneShape::count * row];
     if (triangle < 0) return set(shape, lane, filler_shape);
     const RestFrame frame = rest_frame(sheet, triangle, weights);
-    const auto& [a, b, c] = sheet.triangles[triangle];
+    const Triangle& corners = sheet.triangles[triangle];
+    const std::array<double, 3> masses = {inverse_masses[corners[0]], inverse_masses[corners[1]],
+                                          inverse_masses[corners[2]]};
     const auto stress = [&](const MembraneTerms& terms) {
-      return stress_constants(frame, terms.tensors[triangle], terms.duration_squared,
-                              {inverse_masses[a], inverse_masses[b], inverse_masses[c]});
+      return stress_constants(frame, terms.tensors[triangle], terms.duration_squared, masses);
     };
     set(shape, lane, shape_constants(frame));
     set(&stage.stresses[stress_rows * row], lane, stress(pull));
