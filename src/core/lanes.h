@@ -1,11 +1,14 @@
 #pragma once
 
-// The only file with vector instructions: eight floats side by side. Every operation is exact to the last bit as
-// IEEE 754 has it (no estimates, no contraction), so eight lanes give the same bits as eight floats one by one.
+// The only file with vector instructions: eight floats side by side. Every operation is exact to the last bit
+// as IEEE 754 has it (no estimates, no contraction), so eight lanes give the same bits as eight floats one by
+// one.
 
 #include <immintrin.h>
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace drape {
@@ -14,21 +17,48 @@ namespace drape {
 struct alignas(32) LaneRow {
   float values[8];
 };
-// Vertices, kept as places of floats in an array of Point4: one instruction less for each of many loads.
+// Vertices, kept as places of floats in an array of Point4, without a sign, and lane i next to lane i + 4,
+// which go together into one register: fewer instructions for each of many loads.
 class alignas(32) IndexRow {
  public:
-  int vertex(int lane) const { return places_[lane] / 4; }
-  void set(int lane, int vertex) { places_[lane] = 4 * vertex; }
-  const int* places() const { return places_; }
+  int vertex(int lane) const { return static_cast<int>(places_[slot(lane)] / 4); }
+  void set(int lane, int vertex) { places_[slot(lane)] = 4 * static_cast<std::uint32_t>(vertex); }
+  // Places of lanes i and i + 4.
+  struct Pair {
+    std::uint32_t low, high;
+  };
+  Pair pair(int i) const {
+    std::uint64_t both;
+    std::memcpy(&both, places_ + 2 * i, sizeof both);
+    return {static_cast<std::uint32_t>(both), static_cast<std::uint32_t>(both >> 32)};
+  }
 
  private:
-  int places_[8];
+  static int slot(int lane) { return 2 * (lane % 4) + lane / 4; }
+  std::uint32_t places_[8];
 };
 
 // A point of single precision with a fourth number of its own.
 struct alignas(16) Point4 {
   float x, y, z, w;
 };
+
+// A Point4 in a register.
+struct PointLanes {
+  __m128 v;
+};
+inline PointLanes load_point(const Point4& point) { return {_mm_load_ps(&point.x)}; }
+inline void store_point(PointLanes value, Point4& point) { _mm_store_ps(&point.x, value.v); }
+inline PointLanes operator+(PointLanes a, PointLanes b) { return {_mm_add_ps(a.v, b.v)}; }
+inline PointLanes operator-(PointLanes a, PointLanes b) { return {_mm_sub_ps(a.v, b.v)}; }
+// a + s b in x, y, z, and w of a.
+inline PointLanes add_multiple(PointLanes a, float s, PointLanes b) {
+  return {_mm_blend_ps(_mm_add_ps(a.v, _mm_mul_ps(_mm_set1_ps(s), b.v)), a.v, 8)};
+}
+// s (a - b) in x, y, z, and w of a.
+inline PointLanes scaled_difference(float s, PointLanes a, PointLanes b) {
+  return {_mm_blend_ps(_mm_mul_ps(_mm_set1_ps(s), _mm_sub_ps(a.v, b.v)), a.v, 8)};
+}
 
 struct Lanes {
   static constexpr int count = 8;
@@ -143,10 +173,10 @@ struct LaneAccess<Lanes> {
   void store(LaneRow& row, Lanes value) const { _mm256_store_ps(row.values, value.v); }
   LanePoint<Lanes> gather(const Point4* points, const IndexRow& indices) const {
     const float* first = &points->x;
-    const int* places = indices.places();
     const auto two = [&](int i) {
-      const __m128 low = _mm_load_ps(first + places[i]);
-      return _mm256_insertf128_ps(_mm256_castps128_ps256(low), _mm_load_ps(first + places[i + 4]), 1);
+      const auto [low, high] = indices.pair(i);
+      return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(first + low)), _mm_load_ps(first + high),
+                                  1);
     };
     __m256 a = two(0), b = two(1), c = two(2), d = two(3);
     transpose_halves(a, b, c, d);
@@ -156,8 +186,9 @@ struct LaneAccess<Lanes> {
     __m256 a = value.p.x.v, b = value.p.y.v, c = value.p.z.v, d = value.w.v;
     transpose_halves(a, b, c, d);
     const auto two = [&](int i, __m256 pair) {
-      _mm_store_ps(&points->x + indices.places()[i], _mm256_castps256_ps128(pair));
-      _mm_store_ps(&points->x + indices.places()[i + 4], _mm256_extractf128_ps(pair, 1));
+      const auto [low, high] = indices.pair(i);
+      _mm_store_ps(&points->x + low, _mm256_castps256_ps128(pair));
+      _mm_store_ps(&points->x + high, _mm256_extractf128_ps(pair, 1));
     };
     two(0, a), two(1, b), two(2, c), two(3, d);
   }

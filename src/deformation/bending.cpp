@@ -24,9 +24,9 @@ namespace {
 struct Cluster {
   std::vector<std::size_t> present;  // which of the six corners there are
   Eigen::MatrixXd affine;            // 1, u, v of each
-  Eigen::MatrixXd quadratic;         // u2/2, v2/2, uv/2 of each: the curvatures are along, across, twice the twist
-  Eigen::VectorXd heights;           // over the plane
-  double unit;                       // m
+  Eigen::MatrixXd quadratic;  // u2/2, v2/2, uv/2 of each: the curvatures are along, across, twice the twist
+  Eigen::VectorXd heights;    // over the plane
+  double unit;                // m
   Vec2 warp;
 };
 
@@ -46,7 +46,8 @@ Cluster flatten(const Sheet& sheet, int triangle, const std::array<int, 6>& corn
   cluster.quadratic.resize(count, 3);
   cluster.heights.resize(count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Vec3 from_origin = (x[corners[cluster.present[static_cast<std::size_t>(i)]]] - origin) / cluster.unit;
+    const Vec3 from_origin =
+        (x[corners[cluster.present[static_cast<std::size_t>(i)]]] - origin) / cluster.unit;
     const double u = axis.dot(from_origin), v = across.dot(from_origin);
     cluster.affine.row(i) << 1, u, v;
     cluster.quadratic.row(i) << 0.5 * u * u, 0.5 * v * v, 0.5 * u * v;
@@ -70,34 +71,73 @@ Eigen::MatrixXd at_least(double share, const Eigen::MatrixXd& compliance) {
   return solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose();
 }
 
-struct ClusterConstants {
-  std::array<double, 18> weights{};
-  std::array<double, 3> rest{};
-};
+// What turns residuals of the basis of outer corners (bending.h) into those of `q`: as each outer corner is
+// in one of the former alone, and with weight 1, q's columns there.
+Eigen::Matrix3d from_outer_basis(const Cluster& cluster, const Eigen::MatrixXd& q) {
+  Eigen::Matrix3d basis = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 3; i < cluster.present.size(); ++i)
+    basis.col(static_cast<Eigen::Index>(cluster.present[i]) - 3).head(q.rows()) =
+        q.col(static_cast<Eigen::Index>(i));
+  return basis;
+}
 
-// With S = (G D^-1 G^T)^-1, the least energy of a quadratic surface that has the residuals r is 1/2 A r^T S r (for
-// six points G is square, and S = G^-T D G^-1); its implicit step is K = (S^-1 / (A h2) + q W q^T)^-1.
-ClusterConstants cluster_constants(const Cluster& cluster, const Mat3& bending, double area_duration_squared,
-                                   const Eigen::VectorXd& inverse_masses) {
+// L of a symmetric matrix whose rows of missing corners are zeros.
+Mat3 lower_root(const Mat3& matrix) {
+  Mat3 lower = Mat3::Zero();
+  for (int j = 0; j < 3; ++j) {
+    const double left = matrix(j, j) - lower.row(j).squaredNorm();
+    if (!(left > 0)) continue;
+    lower(j, j) = std::sqrt(left);
+    for (int i = j + 1; i < 3; ++i)
+      lower(i, j) = (matrix(i, j) - lower.row(i).dot(lower.row(j))) / lower(j, j);
+  }
+  return lower;
+}
+
+// With S = (G D^-1 G^T)^-1, the least energy of a quadratic surface that has the residuals r is 1/2 A r^T S r
+// (for six points G is square, and S = G^-T D G^-1); its implicit step is K = (S^-1 / (A h2) + q W q^T)^-1. L
+// of it, for the outer corners.
+Mat3 step_root(const Cluster& cluster, const Mat3& bending, double area_duration_squared,
+               const Eigen::VectorXd& inverse_masses) {
+  if (!(area_duration_squared > 0)) return Mat3::Zero();
   const Eigen::MatrixXd q = affine_complement(cluster);
   const Eigen::MatrixXd g = cluster.unit * cluster.unit * q * cluster.quadratic;
   const Eigen::MatrixXd compliance = at_least(1e-3, g * bending.inverse() * g.transpose());
   const Eigen::MatrixXd response = q * inverse_masses.asDiagonal() * q.transpose();
   const Eigen::MatrixXd step = (compliance / area_duration_squared + response).inverse();
-  const Eigen::MatrixXd scaled = step.llt().matrixL().transpose() * q;
-  const Eigen::VectorXd rest = scaled * cluster.heights;
-  ClusterConstants constants;
-  for (Eigen::Index j = 0; j < scaled.rows(); ++j) {
-    constants.rest[static_cast<std::size_t>(j)] = rest[j];
-    for (Eigen::Index i = 0; i < scaled.cols(); ++i)
-      constants.weights[6 * static_cast<std::size_t>(j) + cluster.present[static_cast<std::size_t>(i)]] = scaled(j, i);
-  }
-  return constants;
+  const Eigen::MatrixXd basis = from_outer_basis(cluster, q).topRows(q.rows());
+  return lower_root(basis.transpose() * step * basis);
 }
 
-bool bends(const Sheet& sheet, int triangle, const std::vector<double>& durations_squared) {
+// s_j, then t_j, of bending.h.
+std::array<double, coordinate_rows> outer_coordinates(const Cluster& cluster) {
+  std::array<double, coordinate_rows> coordinates{};
+  Eigen::Matrix2d edges;
+  for (int i = 0; i < 2; ++i)
+    edges.col(i) = (cluster.affine.row(i + 1) - cluster.affine.row(0)).tail<2>().transpose();
+  const Eigen::Matrix2d inverse = edges.inverse();
+  for (std::size_t i = 3; i < cluster.present.size(); ++i) {
+    const Vec2 from_first =
+        (cluster.affine.row(static_cast<Eigen::Index>(i)) - cluster.affine.row(0)).tail<2>().transpose();
+    const Vec2 found = inverse * from_first;
+    coordinates[cluster.present[i] - 3] = found[0];
+    coordinates[cluster.present[i]] = found[1];
+  }
+  return coordinates;
+}
+
+// rho'. The own corners lie in the plane, so that r_j is the height of outer corner j.
+Vec3 rest_residuals(const Cluster& cluster, const Mat3& lower) {
+  Vec3 heights = Vec3::Zero();
+  for (std::size_t i = 3; i < cluster.present.size(); ++i)
+    heights[static_cast<Eigen::Index>(cluster.present[i]) - 3] =
+        cluster.heights[static_cast<Eigen::Index>(i)];
+  return lower.transpose() * heights;
+}
+
+bool bends(const Sheet& sheet, int triangle) {
   const auto& [along, across] = material_of(sheet, triangle).bend_stiffness;
-  return along > 0 && across > 0 && durations_squared[sheet.triangle_materials[triangle]] > 0;
+  return along > 0 && across > 0;
 }
 
 // The triangles that have an outer corner, and their corners.
@@ -106,12 +146,12 @@ struct Clusters {
   std::vector<std::array<int, 6>> corners;
 };
 
-Clusters clusters_that_bend(const Sheet& sheet, const std::vector<double>& durations_squared) {
+Clusters clusters_that_bend(const Sheet& sheet) {
   Clusters clusters;
   for (int t = 0; t < static_cast<int>(sheet.triangles.size()); ++t) {
     const std::array<int, 6> corners = bending_corners(sheet, t);
     const bool alone = *std::max_element(corners.begin() + 3, corners.end()) < 0;
-    if (alone || !bends(sheet, t, durations_squared)) continue;
+    if (alone || !bends(sheet, t)) continue;
     clusters.triangles.push_back(t);
     clusters.corners.push_back(corners);
   }
@@ -137,28 +177,47 @@ double area_share(const std::array<int, 6>& corners, const std::vector<double>& 
   return clamped ? 3 : 1;
 }
 
-ClusterConstants constants_of(const Sheet& sheet, int triangle, const std::array<int, 6>& corners,
-                              const std::vector<double>& inverse_masses, double duration_squared) {
-  const Cluster cluster = flatten(sheet, triangle, corners);
+struct ClusterRoots {
+  Mat3 pull, damping;
+};
+
+ClusterRoots cluster_roots(const Sheet& sheet, int triangle, const std::array<int, 6>& corners,
+                           const Cluster& cluster, const std::vector<double>& inverse_masses,
+                           double pull_duration_squared, double damping_duration_squared) {
   Eigen::VectorXd masses(static_cast<Eigen::Index>(cluster.present.size()));
   for (std::size_t i = 0; i < cluster.present.size(); ++i)
     masses[static_cast<Eigen::Index>(i)] = inverse_masses[corners[cluster.present[i]]];
   const Mat3 bending = bending_tensor(material_of(sheet, triangle), cluster.warp);
   const double area = rest_area(sheet, triangle) * area_share(corners, inverse_masses);
-  return cluster_constants(cluster, bending, area * duration_squared, masses);
+  return {step_root(cluster, bending, area * pull_duration_squared, masses),
+          step_root(cluster, bending, area * damping_duration_squared, masses)};
+}
+
+void set_lower(const Mat3& lower, int lane, LaneRow* rows) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j <= i; ++j) (rows++)->values[lane] = static_cast<float>(lower(i, j));
+}
+
+BendingStage sized_stage(const std::vector<int>& patches, const Clusters& clusters, bool curved) {
+  BendingStage stage;
+  stage.order = sweep_order(patches, clusters.corners);
+  stage.curved = curved;
+  const std::size_t rows = stage.order.row_count();
+  stage.corners.resize(6 * rows);
+  stage.coordinates.resize(coordinate_rows * rows, LaneRow{});
+  stage.steps.resize(bending_step_rows * rows, LaneRow{});
+  stage.dampings.resize(bending_step_rows * rows, LaneRow{});
+  if (curved) stage.rest.resize(3 * rows, LaneRow{});
+  return stage;
 }
 
 }  // namespace
 
 BendingStage build_bending(const Sheet& sheet, const std::vector<int>& patches,
-                           const std::vector<double>& inverse_masses, const BendingTerms& terms) {
-  const Clusters clusters = clusters_that_bend(sheet, terms.durations_squared);
-  BendingStage stage;
-  stage.order = sweep_order(patches, clusters.corners);
-  stage.curved = terms.rest_curvature && is_curved(sheet, clusters);
-  stage.corners.resize(6 * stage.order.row_count());
-  stage.weights.resize(18 * stage.order.row_count(), LaneRow{});
-  if (stage.curved) stage.rest.resize(3 * stage.order.row_count(), LaneRow{});
+                           const std::vector<double>& inverse_masses, double pull_duration_squared,
+                           const std::vector<double>& damping_durations_squared) {
+  const Clusters clusters = clusters_that_bend(sheet);
+  BendingStage stage = sized_stage(patches, clusters, is_curved(sheet, clusters));
   for_each_lane(stage.order, inverse_masses.size(), [&](int element, std::size_t row, int lane, int filler) {
     for (std::size_t i = 0; i < 6; ++i) {
       const int vertex = element < 0 ? -1 : clusters.corners[element][i];
@@ -166,59 +225,40 @@ BendingStage build_bending(const Sheet& sheet, const std::vector<int>& patches,
     }
     if (element < 0) return;
     const int triangle = clusters.triangles[element];
-    const ClusterConstants constants =
-        constants_of(sheet, triangle, clusters.corners[element], inverse_masses,
-                     terms.durations_squared[sheet.triangle_materials[triangle]]);
-    for (std::size_t i = 0; i < 18; ++i)
-      stage.weights[18 * row + i].values[lane] = static_cast<float>(constants.weights[i]);
-    for (std::size_t j = 0; stage.curved && j < 3; ++j)
-      stage.rest[3 * row + j].values[lane] = static_cast<float>(constants.rest[j]);
+    const std::array<int, 6>& corners = clusters.corners[element];
+    const Cluster cluster = flatten(sheet, triangle, corners);
+    const ClusterRoots roots =
+        cluster_roots(sheet, triangle, corners, cluster, inverse_masses, pull_duration_squared,
+                      damping_durations_squared[sheet.triangle_materials[triangle]]);
+    const auto coordinates = outer_coordinates(cluster);
+    for (std::size_t i = 0; i < coordinate_rows; ++i)
+      stage.coordinates[coordinate_rows * row + i].values[lane] = static_cast<float>(coordinates[i]);
+    set_lower(roots.pull, lane, &stage.steps[bending_step_rows * row]);
+    set_lower(roots.damping, lane, &stage.dampings[bending_step_rows * row]);
+    const Vec3 rest = rest_residuals(cluster, roots.pull);
+    for (int j = 0; stage.curved && j < 3; ++j)
+      stage.rest[3 * row + static_cast<std::size_t>(j)].values[lane] = static_cast<float>(rest[j]);
   });
+  std::vector<int>().swap(stage.order.elements);
   return stage;
 }
 
-namespace {
-
-void store(const Vec3& value, int lane, LaneRow* rows) {
-  for (int i = 0; i < 3; ++i) rows[i].values[lane] = static_cast<float>(value[i]);
-}
-
-void load_cluster(const BendingStage& stage, const std::vector<Vec3>& start, std::size_t row, int lane,
-                  LaneRow* rows) {
-  Vec3 points[6];
-  for (std::size_t i = 0; i < 6; ++i) {
-    const auto vertex = static_cast<std::size_t>(stage.corners[6 * row + i].vertex(lane));
-    points[i] = vertex < start.size() ? start[vertex] : Vec3(Vec3::Zero());
-  }
-  const Vec3 origin = points[0];  // the weights add up to 0 to seven digits only
-  for (int j = 0; j < 3; ++j) {
-    Vec3 sum = Vec3::Zero();
-    for (int i = 1; i < 6; ++i)
-      sum += static_cast<double>(stage.weights[18 * row + static_cast<std::size_t>(6 * j + i)].values[lane]) *
-             (points[i] - origin);
-    store(sum, lane, rows + 3 * j);
-  }
-  if (!stage.curved) return;
-  store(points[1] - origin, lane, rows + 9);
-  store(points[2] - origin, lane, rows + 12);
-}
-
-}  // namespace
-
-void load_bending(const BendingStage& stage, const std::vector<Vec3>& start, std::vector<LaneRow>& base) {
+void load_bending(const BendingStage& stage, const SplitPoints& start, std::vector<LaneRow>& base) {
   const std::size_t height = bending_base_rows(stage);
   base.resize(height * stage.order.row_count());
   parallel_for_each(stage.order.row_count(), 512, [&](std::size_t row) {
-    for (int lane = 0; lane < Lanes::count; ++lane) load_cluster(stage, start, row, lane, &base[height * row]);
+    load_bending_row<Lanes>(stage, start, row, {}, &base[height * row]);
   });
 }
 
 void pull_bending(const BendingStage& stage, const std::vector<LaneRow>& base, std::vector<Point4>& offsets) {
-  sweep(stage.order, [&](std::size_t row) { pull_bending_row<Lanes>(stage, base, row, {}, offsets.data()); });
+  sweep(stage.order,
+        [&](const RowRange& rows) { pull_bending_tile<Lanes>(stage, base, rows, {}, offsets.data()); });
 }
 
 void damp_bending(const BendingStage& stage, std::vector<Point4>& velocities) {
-  sweep(stage.order, [&](std::size_t row) { damp_bending_row<Lanes>(stage, row, {}, velocities.data()); });
+  sweep(stage.order,
+        [&](const RowRange& rows) { damp_bending_tile<Lanes>(stage, rows, {}, velocities.data()); });
 }
 
 }  // namespace drape

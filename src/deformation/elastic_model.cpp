@@ -66,7 +66,7 @@ static std::vector<double> mean_edge_lengths(const Sheet& sheet) {
 }
 
 double longest_elastic_step(const Sheet& sheet) {
-  constexpr double edges_crossed = 5, bending_phase = 0.1;
+  constexpr double edges_crossed = 5, visible_speed = 30, bending_phase = 0.1;
   const std::vector<double> lengths = mean_edge_lengths(sheet);
   double longest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < lengths.size(); ++i) {
@@ -75,6 +75,7 @@ double longest_elastic_step(const Sheet& sheet) {
       return std::sqrt(std::max(stiffness[0], stiffness[1]) / material.density);
     };
     longest = std::min({longest, edges_crossed * lengths[i] / speed(material.stretch_stiffness),
+                        lengths[i] / visible_speed,
                         bending_phase * lengths[i] * lengths[i] / speed(material.bend_stiffness)});
   }
   return longest;
@@ -91,28 +92,26 @@ ElasticModel build_elastic_model(const Sheet& sheet, const std::vector<double>& 
   const Membrane membrane = split_membrane(sheet, weights);
   ElasticModel model;
   model.step = step;
-  const std::vector<double> pull_durations(sheet.materials.size(), step * step);
-  model.bending = build_bending(sheet, patches, inverse_masses, {pull_durations, true});
-  model.bending_damping =
-      build_bending(sheet, patches, inverse_masses, {damping_times_step(sheet, step), false});
-  model.membrane = build_membrane(sheet, patches, weights, inverse_masses, {membrane.left, step * step});
-  model.membrane_damping =
-      build_membrane(sheet, patches, weights, inverse_masses, {damped_tensors(sheet, membrane.whole), step});
+  model.bending = build_bending(sheet, patches, inverse_masses, step * step, damping_times_step(sheet, step));
+  model.membrane = build_membrane(sheet, patches, weights, inverse_masses, {membrane.left, step * step},
+                                  {damped_tensors(sheet, membrane.whole), step});
   model.fibres = build_fibres(sheet, membrane.bars, step);
   model.tethers = build_tethers(sheet, masses, pinned, gravity);
   for (const double inverse_mass : inverse_masses)
     model.inverse_masses.push_back({0, 0, 0, static_cast<float>(inverse_mass)});
-  const int fillers = *std::max_element(patches.begin(), patches.end()) + 1;
-  model.inverse_masses.resize(masses.size() + static_cast<std::size_t>(fillers), Point4{});
+  const int patch_count = *std::max_element(patches.begin(), patches.end()) + 1;
+  model.inverse_masses.resize(masses.size() + fillers_a_patch * static_cast<std::size_t>(patch_count),
+                              Point4{});
   return model;
 }
 
 void load_elastic(const ElasticModel& model, const std::vector<Vec3>& start, ElasticScratch& scratch) {
   scratch.offsets = model.inverse_masses;
-  load_bending(model.bending, start, scratch.bending_base);
-  load_membrane(model.membrane, start, scratch.membrane_base);
-  load_fibres(model.fibres, start, scratch.fibres);
-  load_tethers(model.tethers, start, scratch.tether_base);
+  split_points(start, scratch.offsets.size(), scratch.start);
+  load_bending(model.bending, scratch.start, scratch.bending_base);
+  load_membrane(model.membrane, scratch.start, scratch.membrane_base);
+  load_fibres(model.fibres, scratch.start, scratch.fibres);
+  load_tethers(model.tethers, scratch.start, scratch.tether_base);
 }
 
 namespace {
@@ -128,8 +127,8 @@ void load_vectors(const ElasticModel& model, const std::vector<Vec3>& vectors, s
 
 // Velocities after viscosity, once a step. Membrane frames are those where the step starts.
 void damp(const ElasticModel& model, ElasticScratch& scratch) {
-  damp_bending(model.bending_damping, scratch.velocities);
-  damp_membrane(model.membrane_damping, scratch.membrane_base, scratch.velocities);
+  damp_bending(model.bending, scratch.velocities);
+  damp_membrane(model.membrane, scratch.membrane_base, scratch.velocities);
 }
 
 // Pinned points are where their pins take them.
@@ -161,13 +160,19 @@ void unload(const ElasticModel& model, const std::vector<Vec3>& start, const Ela
 void predict_offsets(const ElasticModel& model, ElasticScratch& scratch) {
   const auto step = static_cast<float>(model.step);
   scratch.before.resize(scratch.offsets.size());
-  parallel_for_each(scratch.offsets.size(), points_a_block, [&](std::size_t v) {
-    Point4 &x = scratch.offsets[v], &u = scratch.velocities[v];
-    const Point4& a = scratch.accelerations[v];
-    scratch.before[v] = x;
-    u = {u.x + step * a.x, u.y + step * a.y, u.z + step * a.z, u.w};
-    x = {x.x + step * u.x, x.y + step * u.y, x.z + step * u.z, x.w};
-  });
+  parallel_blocks(
+      scratch.offsets.size(), points_a_block, [&](std::size_t begin, std::size_t end, std::size_t) {
+        Point4 *offsets = scratch.offsets.data(), *velocities = scratch.velocities.data();
+        Point4* before = scratch.before.data();
+        const Point4* accelerations = scratch.accelerations.data();
+        for (std::size_t v = begin; v < end; ++v) {
+          const PointLanes x = load_point(offsets[v]);
+          const PointLanes u = add_multiple(load_point(velocities[v]), step, load_point(accelerations[v]));
+          store_point(x, before[v]);
+          store_point(u, velocities[v]);
+          store_point(add_multiple(x, step, u), offsets[v]);
+        }
+      });
 }
 
 void pull_to_goals(const ElasticModel& model, ElasticScratch& scratch) {
@@ -179,15 +184,18 @@ void pull_to_goals(const ElasticModel& model, ElasticScratch& scratch) {
 
 void update_velocities(const ElasticModel& model, ElasticScratch& scratch) {
   const auto rate = static_cast<float>(1 / model.step);
-  parallel_for_each(scratch.offsets.size(), points_a_block, [&](std::size_t v) {
-    const Point4 &x = scratch.offsets[v], &b = scratch.before[v];
-    Point4& u = scratch.velocities[v];
-    u = {rate * (x.x - b.x), rate * (x.y - b.y), rate * (x.z - b.z), u.w};
-  });
+  parallel_blocks(
+      scratch.offsets.size(), points_a_block, [&](std::size_t begin, std::size_t end, std::size_t) {
+        const Point4 *offsets = scratch.offsets.data(), *before = scratch.before.data();
+        Point4* velocities = scratch.velocities.data();
+        for (std::size_t v = begin; v < end; ++v)
+          store_point(scaled_difference(rate, load_point(offsets[v]), load_point(before[v])), velocities[v]);
+      });
 }
 
-void advance_elastic(const ElasticModel& model, const std::vector<Vec3>& accelerations, const std::vector<Vec3>& start,
-                     ElasticScratch& scratch, std::vector<Vec3>& positions, std::vector<Vec3>& velocities) {
+void advance_elastic(const ElasticModel& model, const std::vector<Vec3>& accelerations,
+                     const std::vector<Vec3>& start, ElasticScratch& scratch, std::vector<Vec3>& positions,
+                     std::vector<Vec3>& velocities) {
   load_elastic(model, start, scratch);
   load_vectors(model, velocities, scratch.velocities);
   load_vectors(model, accelerations, scratch.accelerations);

@@ -24,8 +24,8 @@ double strain_limit(const Sheet& sheet, const Edge& edge) {
 }
 
 // One lane of a group: a fibre, then its last vertex over and over, in edges of no length and no tension.
-void fill_lane(const Sheet& sheet, const std::vector<int>& fibre, const std::vector<double>& stiffnesses, double step,
-               std::size_t first_row, int lane, FibreStage& stage) {
+void fill_lane(const Sheet& sheet, const std::vector<int>& fibre, const std::vector<double>& stiffnesses,
+               double step, std::size_t first_row, int lane, FibreStage& stage) {
   for (std::size_t row = first_row; row < stage.vertices.size(); ++row) {
     const std::size_t i = row - first_row;
     stage.vertices[row].set(lane, fibre[std::min(i, fibre.size() - 1)]);
@@ -40,8 +40,8 @@ void fill_lane(const Sheet& sheet, const std::vector<int>& fibre, const std::vec
 }
 
 // The fibres of one colour in groups of eight, the long ones together.
-void append_color(const Sheet& sheet, std::vector<std::vector<int>> fibres, const std::vector<double>& stiffnesses,
-                  double step, FibreStage& stage) {
+void append_color(const Sheet& sheet, std::vector<std::vector<int>> fibres,
+                  const std::vector<double>& stiffnesses, double step, FibreStage& stage) {
   std::stable_sort(fibres.begin(), fibres.end(),
                    [](const auto& a, const auto& b) { return a.size() > b.size(); });
   const int filler = static_cast<int>(sheet.rest_positions.size());
@@ -53,10 +53,11 @@ void append_color(const Sheet& sheet, std::vector<std::vector<int>> fibres, cons
     stage.longest.resize(rows, LaneRow{});
     for (int lane = 0; lane < Lanes::count; ++lane) {
       const std::size_t i = first + static_cast<std::size_t>(lane);
-      fill_lane(sheet, i < fibres.size() ? fibres[i] : std::vector<int>{filler}, stiffnesses, step, first_row, lane,
-                stage);
+      fill_lane(sheet, i < fibres.size() ? fibres[i] : std::vector<int>{filler}, stiffnesses, step, first_row,
+                lane, stage);
     }
     stage.row_begin.push_back(rows);
+    stage.longest_group = std::max(stage.longest_group, rows - first_row);
   }
   stage.color_begin.push_back(stage.row_begin.size() - 1);
 }
@@ -77,27 +78,33 @@ FibreStage build_fibres(const Sheet& sheet, const std::vector<double>& stiffness
   return stage;
 }
 
-void load_fibres(const FibreStage& stage, const std::vector<Vec3>& start, FibreScratch& scratch) {
-  scratch.base.resize(3 * stage.vertices.size(), LaneRow{});
-  scratch.work.resize(fibre_work_rows * stage.vertices.size());
+// Groups that a thread takes after each other, in the same scratch, which so stays in its caches.
+constexpr std::size_t groups_a_block = 4;
+
+static std::size_t largest_block_count(const FibreStage& stage) {
+  std::size_t largest = 0;
+  for (std::size_t color = 0; color + 1 < stage.color_begin.size(); ++color)
+    largest = std::max(largest, stage.color_begin[color + 1] - stage.color_begin[color]);
+  return (largest + groups_a_block - 1) / groups_a_block;
+}
+
+void load_fibres(const FibreStage& stage, const SplitPoints& start, FibreScratch& scratch) {
+  scratch.base.resize(3 * stage.vertices.size());
+  scratch.work.resize(largest_block_count(stage) * stage.longest_group * fibre_work_rows);
   parallel_for_each(stage.row_begin.size() - 1, 1, [&](std::size_t group) {
-    for (std::size_t row = stage.row_begin[group] + 1; row < stage.row_begin[group + 1]; ++row)
-      for (int lane = 0; lane < Lanes::count; ++lane) {
-        const auto a = static_cast<std::size_t>(stage.vertices[row - 1].vertex(lane));
-        const auto b = static_cast<std::size_t>(stage.vertices[row].vertex(lane));
-        const Vec3 edge = b < start.size() ? Vec3(start[b] - start[a]) : Vec3(Vec3::Zero());
-        for (std::size_t i = 0; i < 3; ++i)
-          scratch.base[3 * row + i].values[lane] = static_cast<float>(edge[static_cast<Eigen::Index>(i)]);
-      }
+    load_fibre_group<Lanes>(stage, start, group, {}, scratch.base);
   });
 }
 
 void pull_fibres(const FibreStage& stage, FibreScratch& scratch, std::vector<Point4>& offsets) {
   for (std::size_t color = 0; color + 1 < stage.color_begin.size(); ++color) {
     const std::size_t first = stage.color_begin[color];
-    parallel_for_each(stage.color_begin[color + 1] - first, 1, [&](std::size_t i) {
-      pull_fibre_group<Lanes>(stage, scratch, first + i, {}, offsets.data());
-    });
+    parallel_blocks(stage.color_begin[color + 1] - first, groups_a_block,
+                    [&](std::size_t begin, std::size_t end, std::size_t block) {
+                      LaneRow* work = &scratch.work[block * stage.longest_group * fibre_work_rows];
+                      for (std::size_t i = begin; i < end; ++i)
+                        pull_fibre_group<Lanes>(stage, scratch.base, first + i, {}, work, offsets.data());
+                    });
   }
 }
 

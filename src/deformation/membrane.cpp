@@ -11,8 +11,8 @@ RestFrame rest_frame(const Sheet& sheet, int triangle, const std::vector<double>
   const auto [r1, r2] = matched_frame<double>(match.k1, match.k2, x[b] - x[a], x[c] - x[a]);
   const Vec3 warp = warp_in_plane(sheet, triangle);
   const auto in_frame = [&r1 = r1, &r2 = r2](const Vec3& v) { return Vec2(r1.dot(v), r2.dot(v)); };
-  return {in_frame(x[b] - x[a]), in_frame(x[c] - x[a]), in_frame(warp).normalized(),
-          match.k1,              match.k2,              rest_area(sheet, triangle)};
+  return {in_frame(x[b] - x[a]),     in_frame(x[c] - x[a]), in_frame(warp).normalized(), match.k1, match.k2,
+          rest_area(sheet, triangle)};
 }
 
 namespace {
@@ -49,67 +49,75 @@ Mat3 implicit_stress(const Mat3& tensor, double area_duration_squared, const Eig
   return 0.5 * (stress + stress.transpose());
 }
 
-void set(LaneRow* rows, int lane, const std::array<double, MembraneRow::count>& values) {
-  for (std::size_t i = 0; i < values.size(); ++i) rows[i].values[lane] = static_cast<float>(values[i]);
+template <std::size_t count>
+void set(LaneRow* rows, int lane, const std::array<double, count>& values) {
+  for (std::size_t i = 0; i < count; ++i) rows[i].values[lane] = static_cast<float>(values[i]);
 }
 
-std::array<double, MembraneRow::count> triangle_constants(const RestFrame& frame, const Mat3& tensor,
-                                                          double duration_squared,
-                                                          const std::array<double, 3>& inverse_masses) {
+std::array<double, MembraneShape::count> shape_constants(const RestFrame& frame) {
   const Eigen::Matrix2d d = inverse_shape(frame);
-  const Mat3 k = implicit_stress(tensor, frame.area * duration_squared, d, inverse_masses);
-  return {frame.k1, frame.k2, d(0, 0), d(0, 1), d(1, 0), d(1, 1),
-          k(0, 0),  k(0, 1),  k(0, 2), k(1, 1), k(1, 2), k(2, 2)};
+  return {frame.k1, frame.k2, d(0, 0), d(0, 1), d(1, 0), d(1, 1)};
+}
+
+std::array<double, stress_rows> stress_constants(const RestFrame& frame, const Mat3& tensor,
+                                                 double duration_squared,
+                                                 const std::array<double, 3>& inverse_masses) {
+  const Mat3 k = implicit_stress(tensor, frame.area * duration_squared, inverse_shape(frame), inverse_masses);
+  return {k(0, 0), k(0, 1), k(0, 2), k(1, 1), k(1, 2), k(2, 2)};
 }
 
 // Fillers have a sound frame and no stress.
-constexpr std::array<double, MembraneRow::count> filler_constants = {0, 1};
+constexpr std::array<double, MembraneShape::count> filler_shape = {0, 1};
 
 }  // namespace
 
-MembraneStage build_membrane(const Sheet& sheet, const std::vector<int>& patches, const std::vector<double>& weights,
-                             const std::vector<double>& inverse_masses, const MembraneTerms& terms) {
-  MembraneStage stage{sweep_order(patches, sheet.triangles), {}, {}};
-  stage.corners.resize(3 * stage.order.row_count());
-  stage.constants.resize(MembraneRow::count * stage.order.row_count());
+MembraneStage build_membrane(const Sheet& sheet, const std::vector<int>& patches,
+                             const std::vector<double>& weights, const std::vector<double>& inverse_masses,
+                             const MembraneTerms& pull, const MembraneTerms& damping) {
+  MembraneStage stage{sweep_order(patches, sheet.triangles), {}, {}, {}, {}};
+  const std::size_t rows = stage.order.row_count();
+  stage.corners.resize(3 * rows);
+  stage.shapes.resize(MembraneShape::count * rows);
+  stage.stresses.resize(stress_rows * rows, LaneRow{});
+  stage.dampings.resize(stress_rows * rows, LaneRow{});
   for_each_lane(stage.order, weights.size(), [&](int triangle, std::size_t row, int lane, int filler) {
-    LaneRow* constants = &stage.constants[MembraneRow::count * row];
     for (std::size_t k = 0; k < 3; ++k)
-      stage.corners[3 * row + k].set(lane, triangle < 0 ? filler : sheet.triangles[triangle][k]);
-    if (triangle < 0) return set(constants, lane, filler_constants);
-    const auto& [a, b, c] = sheet.triangles[triangle];
-    set(constants, lane,
-        triangle_constants(rest_frame(sheet, triangle, weights), terms.tensors[triangle], terms.duration_squared,
-                           {inverse_masses[a], inverse_masses[b], inverse_masses[c]}));
+      stage.corners[3 * row + k].set(
+          lane, triangle < 0 ? filler + static_cast<int>(k) : sheet.triangles[triangle][k]);
+    LaneRow* shape = &stage.shapes[MembraneShape::count * row];
+    if (triangle < 0) return set(shape, lane, filler_shape);
+    const RestFrame frame = rest_frame(sheet, triangle, weights);
+    const Triangle& corners = sheet.triangles[triangle];
+    const std::array<double, 3> masses = {inverse_masses[corners[0]], inverse_masses[corners[1]],
+                                          inverse_masses[corners[2]]};
+    const auto stress = [&](const MembraneTerms& terms) {
+      return stress_constants(frame, terms.tensors[triangle], terms.duration_squared, masses);
+    };
+    set(shape, lane, shape_constants(frame));
+    set(&stage.stresses[stress_rows * row], lane, stress(pull));
+    set(&stage.dampings[stress_rows * row], lane, stress(damping));
   });
+  std::vector<int>().swap(stage.order.elements);
   return stage;
 }
 
-void load_membrane(const MembraneStage& stage, const std::vector<Vec3>& start, std::vector<LaneRow>& base) {
+void load_membrane(const MembraneStage& stage, const SplitPoints& start, std::vector<LaneRow>& base) {
   base.resize(membrane_base_rows * stage.order.row_count());
   parallel_for_each(stage.order.row_count(), 512, [&](std::size_t row) {
-    LaneRow* rows = &base[membrane_base_rows * row];
-    for (int lane = 0; lane < Lanes::count; ++lane) {
-      const auto corner = [&](std::size_t k) { return static_cast<std::size_t>(stage.corners[3 * row + k].vertex(lane)); };
-      const bool filler = corner(0) >= start.size();
-      const Vec3 e1 = filler ? Vec3(1, 0, 0) : Vec3(start[corner(1)] - start[corner(0)]);
-      const Vec3 e2 = filler ? Vec3(0, 1, 0) : Vec3(start[corner(2)] - start[corner(0)]);
-      for (int i = 0; i < 3; ++i) {
-        rows[i].values[lane] = static_cast<float>(e1[i]);
-        rows[i + 3].values[lane] = static_cast<float>(e2[i]);
-      }
-    }
+    load_membrane_row<Lanes>(stage, start, row, {}, &base[membrane_base_rows * row]);
   });
 }
 
-void pull_membrane(const MembraneStage& stage, const std::vector<LaneRow>& base, std::vector<Point4>& offsets) {
+void pull_membrane(const MembraneStage& stage, const std::vector<LaneRow>& base,
+                   std::vector<Point4>& offsets) {
   sweep(stage.order,
-        [&](std::size_t row) { pull_membrane_row<Lanes>(stage, base, row, {}, offsets.data()); });
+        [&](const RowRange& rows) { pull_membrane_tile<Lanes>(stage, base, rows, {}, offsets.data()); });
 }
 
-void damp_membrane(const MembraneStage& stage, const std::vector<LaneRow>& base, std::vector<Point4>& velocities) {
+void damp_membrane(const MembraneStage& stage, const std::vector<LaneRow>& base,
+                   std::vector<Point4>& velocities) {
   sweep(stage.order,
-        [&](std::size_t row) { damp_membrane_row<Lanes>(stage, base, row, {}, velocities.data()); });
+        [&](const RowRange& rows) { damp_membrane_tile<Lanes>(stage, base, rows, {}, velocities.data()); });
 }
 
 }  // namespace drape

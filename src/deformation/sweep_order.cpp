@@ -29,10 +29,9 @@ void halve(const std::vector<Vec3>& positions, std::size_t largest_patch, std::s
   }
   const int axis = longest_axis(positions, vertices);
   const std::size_t half = vertices.size() / 2;
-  std::nth_element(vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(half), vertices.end(),
-                   [&](int a, int b) {
-                     return std::pair(positions[a][axis], a) < std::pair(positions[b][axis], b);
-                   });
+  std::nth_element(
+      vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(half), vertices.end(),
+      [&](int a, int b) { return std::pair(positions[a][axis], a) < std::pair(positions[b][axis], b); });
   halve(positions, largest_patch, vertices.first(half), patches, patch_count);
   halve(positions, largest_patch, vertices.subspan(half), patches, patch_count);
 }
@@ -53,7 +52,6 @@ ElementLists elements_of_patches(const std::vector<int>& patches, const std::vec
   return lists;
 }
 
-// Colours of lists of elements: of each list's elements (`apart`), or of the lists themselves.
 Coloring color_lists(int vertex_count, const ElementLists& lists, const std::vector<std::size_t>& begin,
                      const std::vector<int>& vertices) {
   std::vector<std::size_t> list_begin{0};
@@ -67,17 +65,43 @@ Coloring color_lists(int vertex_count, const ElementLists& lists, const std::vec
   return color_elements(vertex_count, list_begin, list_vertices);
 }
 
+// Colours of the elements of one patch, with its vertices numbered anew: what it takes must not grow with the
+// mesh. `numbers` holds -1 for every vertex, before and after.
+Coloring color_patch(const std::vector<int>& patch, const std::vector<std::size_t>& begin,
+                     const std::vector<int>& vertices, std::vector<int>& numbers) {
+  std::vector<std::size_t> own_begin{0};
+  std::vector<int> own_vertices, numbered;
+  for (const int e : patch) {
+    for (std::size_t i = begin[e]; i < begin[e + 1]; ++i) {
+      int& number = numbers[vertices[i]];
+      if (number < 0) {
+        number = static_cast<int>(numbered.size());
+        numbered.push_back(vertices[i]);
+      }
+      own_vertices.push_back(number);
+    }
+    own_begin.push_back(own_vertices.size());
+  }
+  for (const int v : numbered) numbers[v] = -1;
+  return color_elements(static_cast<int>(numbered.size()), own_begin, own_vertices);
+}
+
+// Cuts the rows of one colour into tiles.
+void append_tiles(SweepOrder& order) {
+  const std::size_t rows = order.elements.size() / Lanes::count;
+  while (order.tile_begin.back() < rows)
+    order.tile_begin.push_back(std::min(rows, order.tile_begin.back() + SweepOrder::largest_tile));
+}
+
 // The elements of one patch, colour by colour, each colour filled up to whole rows.
-void append_rows(int vertex_count, const std::vector<int>& patch, const std::vector<std::size_t>& begin,
-                 const std::vector<int>& vertices, std::vector<int>& rows) {
-  ElementLists single;
-  for (const int e : patch) single.push_back({e});
-  const Coloring coloring = color_lists(vertex_count, single, begin, vertices);
+void append_patch(const std::vector<int>& patch, const Coloring& coloring, SweepOrder& order) {
   for (std::size_t color = 0; color + 1 < coloring.color_begin.size(); ++color) {
     for (std::size_t i = coloring.color_begin[color]; i < coloring.color_begin[color + 1]; ++i)
-      rows.push_back(patch[coloring.order[i]]);
-    while (rows.size() % Lanes::count != 0) rows.push_back(-1);
+      order.elements.push_back(patch[coloring.order[i]]);
+    while (order.elements.size() % Lanes::count != 0) order.elements.push_back(-1);
+    append_tiles(order);
   }
+  order.patch_begin.push_back(order.tile_begin.size() - 1);
 }
 
 }  // namespace
@@ -95,11 +119,10 @@ SweepOrder sweep_order(const std::vector<int>& patches, const std::vector<std::s
   const int vertex_count = static_cast<int>(patches.size());
   const ElementLists lists = elements_of_patches(patches, begin, vertices);
   Coloring coloring = color_lists(vertex_count, lists, begin, vertices);
-  SweepOrder order{{}, {0}, std::move(coloring.color_begin)};
-  for (const int list : coloring.order) {
-    append_rows(vertex_count, lists[list], begin, vertices, order.elements);
-    order.row_begin.push_back(order.row_count());
-  }
+  SweepOrder order{{}, {0}, {0}, std::move(coloring.color_begin)};
+  std::vector<int> numbers(patches.size(), -1);
+  for (const int list : coloring.order)
+    append_patch(lists[list], color_patch(lists[list], begin, vertices, numbers), order);
   return order;
 }
 

@@ -9,16 +9,27 @@
 
 namespace drape {
 
-// An order for Gauss-Seidel sweeps over elements that is quick and gives the same bits for any number of threads.
-// Elements lie in rows of eight that share no vertex (one element a lane); rows lie in patches, which fit a core's
+// An order for Gauss-Seidel sweeps over elements that is quick and gives the same bits for any number of
+// threads. Elements lie in rows of eight (one element a lane), rows in tiles; the elements of a tile share no
+// vertex, so that a kernel may take a tile phase by phase: each phase alone keeps a core busy, where a whole
+// row at once mostly waits for its own square roots and divisions. Tiles lie in patches, which fit a core's
 // cache; patches lie in colours, of which no two patches share a vertex and so can be swept at once.
 struct SweepOrder {
-  std::vector<int> elements;             // eight a row; -1: a filler, where a patch has none left
-  std::vector<std::size_t> row_begin;    // rows of patch p: [row_begin[p] .. row_begin[p + 1])
+  static constexpr std::size_t largest_tile = 4;  // rows
+
+  // Eight a row; -1: a filler, where a colour of a patch has none left. Stages drop them when they are built.
+  std::vector<int> elements;
+  std::vector<std::size_t> tile_begin;   // rows of tile t: [tile_begin[t] .. tile_begin[t + 1])
+  std::vector<std::size_t> patch_begin;  // tiles of patch p: [patch_begin[p] .. patch_begin[p + 1])
   std::vector<std::size_t> color_begin;  // patches of colour c: [color_begin[c] .. color_begin[c + 1])
 
-  std::size_t row_count() const { return elements.size() / Lanes::count; }
-  std::size_t patch_count() const { return row_begin.size() - 1; }
+  std::size_t row_count() const { return tile_begin.back(); }
+  std::size_t patch_count() const { return patch_begin.size() - 1; }
+};
+
+// Rows of one tile.
+struct RowRange {
+  std::size_t first, end;
 };
 
 // A patch for each vertex: the halves of halves of the positions, cut across their longest extent, until none
@@ -42,26 +53,32 @@ SweepOrder sweep_order(const std::vector<int>& patches, const Elements& elements
   return sweep_order(patches, begin, vertices);
 }
 
-// Calls body(row) for every row: those of a patch in order, patches of a colour at once.
+// Calls body(rows) for every tile: those of a patch in order, patches of a colour at once.
 template <typename Body>
 void sweep(const SweepOrder& order, const Body& body) {
   for (std::size_t color = 0; color + 1 < order.color_begin.size(); ++color) {
     const std::size_t first = order.color_begin[color];
     parallel_for_each(order.color_begin[color + 1] - first, 1, [&](std::size_t i) {
-      for (std::size_t row = order.row_begin[first + i]; row < order.row_begin[first + i + 1]; ++row) body(row);
+      for (std::size_t tile = order.patch_begin[first + i]; tile < order.patch_begin[first + i + 1]; ++tile)
+        body(RowRange{order.tile_begin[tile], order.tile_begin[tile + 1]});
     });
   }
 }
 
-// Calls body(element, row, lane, filler_vertex) for every lane of every row, element -1 for fillers. Fillers of a
-// patch have a vertex of their own, behind those of the mesh, so that threads do not meet there.
+// Fillers of a patch have vertices of their own, behind those of the mesh, so that threads do not meet there;
+// and three of them, so that they make a triangle as sound as any.
+constexpr std::size_t fillers_a_patch = 3;
+
+// Calls body(element, row, lane, first_filler_vertex) for every lane of every row, element -1 for fillers.
 template <typename Body>
 void for_each_lane(const SweepOrder& order, std::size_t vertex_count, const Body& body) {
-  for (std::size_t patch = 0; patch < order.patch_count(); ++patch)
-    for (std::size_t row = order.row_begin[patch]; row < order.row_begin[patch + 1]; ++row)
+  parallel_for_each(order.patch_count(), 1, [&](std::size_t patch) {
+    const std::size_t first = order.tile_begin[order.patch_begin[patch]];
+    for (std::size_t row = first; row < order.tile_begin[order.patch_begin[patch + 1]]; ++row)
       for (int lane = 0; lane < Lanes::count; ++lane)
         body(order.elements[row * Lanes::count + static_cast<std::size_t>(lane)], row, lane,
-             static_cast<int>(vertex_count + patch));
+             static_cast<int>(vertex_count + fillers_a_patch * patch));
+  });
 }
 
 }  // namespace drape

@@ -182,11 +182,15 @@ TetherStage build_tethers(const Sheet& sheet, const std::vector<double>& masses,
   return stage;
 }
 
-void load_tethers(const TetherStage& stage, const std::vector<Vec3>& start, std::vector<Point4>& base) {
+void load_tethers(const TetherStage& stage, const SplitPoints& start, std::vector<Point4>& base) {
   base.resize(stage.tethers.size());
-  parallel_for_each(stage.tethers.size(), 4096, [&](std::size_t i) {
-    const Vec3 way = start[stage.tethers[i].vertex] - start[stage.tethers[i].pin];
-    base[i] = {static_cast<float>(way.x()), static_cast<float>(way.y()), static_cast<float>(way.z()), 0};
+  const Point4 *high = start.high.data(), *low = start.low.data();
+  parallel_blocks(stage.tethers.size(), 4096, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const int vertex = stage.tethers[i].vertex, pin = stage.tethers[i].pin;
+      const PointLanes way = load_point(high[vertex]) - load_point(high[pin]);
+      store_point(way + (load_point(low[vertex]) - load_point(low[pin])), base[i]);
+    }
   });
 }
 

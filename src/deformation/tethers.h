@@ -4,6 +4,7 @@
 
 #include "core/lanes.h"
 #include "deformation/sheet.h"
+#include "deformation/split_points.h"
 
 namespace drape {
 
@@ -25,7 +26,7 @@ TetherStage build_tethers(const Sheet& sheet, const std::vector<double>& masses,
                           double gravity);
 
 // Vectors from the pin to the vertex where a step starts, one for each tether.
-void load_tethers(const TetherStage& stage, const std::vector<Vec3>& start, std::vector<Point4>& base);
+void load_tethers(const TetherStage& stage, const SplitPoints& start, std::vector<Point4>& base);
 
 void pull_tethers(const TetherStage& stage, const std::vector<Point4>& base, std::vector<Point4>& offsets);
 

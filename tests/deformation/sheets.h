@@ -7,6 +7,8 @@
 
 #include "core/lanes.h"
 #include "deformation/sheet.h"
+#include "deformation/split_points.h"
+#include "deformation/sweep_order.h"
 #include "mesh/primitives.h"
 
 namespace drape::test {
@@ -136,8 +138,15 @@ inline std::vector<Point4> points_of(const std::vector<Vec3>& vectors,
     const Eigen::Vector3f v = vectors[i].cast<float>();
     points.push_back({v.x(), v.y(), v.z(), static_cast<float>(inverse_masses[i])});
   }
-  points.push_back({});
+  points.resize(points.size() + fillers_a_patch);
   return points;
+}
+
+// Where a step starts, for stages of one patch.
+inline SplitPoints split_of(const std::vector<Vec3>& points) {
+  SplitPoints split;
+  split_points(points, points.size() + fillers_a_patch, split);
+  return split;
 }
 
 inline std::vector<Vec3> vectors_of(const std::vector<Point4>& points, std::size_t count) {

@@ -58,7 +58,7 @@ std::vector<Vec3> stretched_wave(int edges, double length) {
 std::vector<Vec3> pulled_ways(const FibreStage& stage, const std::vector<double>& inverse_masses,
                               const std::vector<Vec3>& x, const std::vector<Vec3>& ways) {
   FibreScratch scratch;
-  load_fibres(stage, x, scratch);
+  load_fibres(stage, test::split_of(x), scratch);
   std::vector<Point4> offsets = test::points_of(ways, inverse_masses);
   pull_fibres(stage, scratch, offsets);
   EXPECT_EQ(test::vectors_of(offsets, offsets.size()).back(), Vec3(0, 0, 0));  // the filler

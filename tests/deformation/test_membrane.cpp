@@ -26,13 +26,14 @@ Membrane membrane_of(const Sheet& sheet, const std::vector<double>& masses, doub
   for (const int v : pins) inverse_masses[v] = 0;
   const std::vector<int> patches = test::one_patch(masses.size());
   return {sheet, masses, inverse_masses,
-          build_membrane(sheet, patches, masses, inverse_masses, {tensors, duration_squared})};
+          build_membrane(sheet, patches, masses, inverse_masses, {tensors, duration_squared},
+                         {tensors, duration_squared})};
 }
 
 // What one sweep does to points at `x`.
 std::vector<Vec3> displacements(const Membrane& membrane, const std::vector<Vec3>& x) {
   std::vector<LaneRow> base;
-  load_membrane(membrane.stage, x, base);
+  load_membrane(membrane.stage, test::split_of(x), base);
   std::vector<Point4> offsets = test::points_of(test::zeros(x.size()), membrane.inverse_masses);
   pull_membrane(membrane.stage, base, offsets);
   return test::vectors_of(offsets, x.size());
@@ -103,7 +104,7 @@ TEST(Membrane, OffsetsThatTurnTheRestShapeStay) {
   const Membrane membrane = membrane_of(sheet_of(mesh, fabric()), std::vector<double>(36, 0.01), 1);
   const std::vector<Vec3> turned = test::moved(mesh.positions, random.rotation(), random.vector());
   std::vector<LaneRow> base;
-  load_membrane(membrane.stage, mesh.positions, base);
+  load_membrane(membrane.stage, test::split_of(mesh.positions), base);
   std::vector<Vec3> ways;
   for (std::size_t v = 0; v < 36; ++v) ways.push_back(turned[v] - mesh.positions[v]);
   std::vector<Point4> offsets = test::points_of(ways, membrane.inverse_masses);
@@ -273,7 +274,7 @@ TEST(Membrane, NoDurationAndNoStiffnessOvershoots) {
 std::vector<Vec3> damped(const Membrane& membrane, const std::vector<Vec3>& x,
                          const std::vector<Vec3>& velocities) {
   std::vector<LaneRow> base;
-  load_membrane(membrane.stage, x, base);
+  load_membrane(membrane.stage, test::split_of(x), base);
   std::vector<Point4> points = test::points_of(velocities, membrane.inverse_masses);
   damp_membrane(membrane.stage, base, points);
   return test::vectors_of(points, x.size());

@@ -53,9 +53,14 @@ std::vector<int> vertices_of_row(const Case& c, const SweepOrder& order, std::si
   return vertices;
 }
 
+RowRange rows_of_patch(const SweepOrder& order, std::size_t patch) {
+  return {order.tile_begin[order.patch_begin[patch]], order.tile_begin[order.patch_begin[patch + 1]]};
+}
+
 std::set<int> vertices_of_patch(const Case& c, const SweepOrder& order, std::size_t patch) {
   std::set<int> vertices;
-  for (std::size_t row = order.row_begin[patch]; row < order.row_begin[patch + 1]; ++row)
+  const RowRange rows = rows_of_patch(order, patch);
+  for (std::size_t row = rows.first; row < rows.end; ++row)
     for (const int v : vertices_of_row(c, order, row)) vertices.insert(v);
   return vertices;
 }
@@ -97,11 +102,13 @@ TEST(SweepOrder, HasEveryElementOnce) {
   }
 }
 
-TEST(SweepOrder, NoTwoElementsOfARowShareAVertex) {
+TEST(SweepOrder, NoTwoElementsOfATileShareAVertex) {
   for (const Case& c : many_cases()) {
     const SweepOrder order = sweep_order(c.patches, c.elements);
-    for (std::size_t row = 0; row < order.row_count(); ++row) {
-      const std::vector<int> vertices = vertices_of_row(c, order, row);
+    for (std::size_t tile = 0; tile + 1 < order.tile_begin.size(); ++tile) {
+      std::vector<int> vertices;
+      for (std::size_t row = order.tile_begin[tile]; row < order.tile_begin[tile + 1]; ++row)
+        for (const int v : vertices_of_row(c, order, row)) vertices.push_back(v);
       EXPECT_EQ(std::set<int>(vertices.begin(), vertices.end()).size(), vertices.size());
       EXPECT_FALSE(vertices.empty());
     }
@@ -123,7 +130,8 @@ TEST(SweepOrder, RowsAndPatchesAreCountedToTheirEnd) {
   for (const Case& c : many_cases()) {
     const SweepOrder order = sweep_order(c.patches, c.elements);
     EXPECT_EQ(order.elements.size() % Lanes::count, 0u);
-    EXPECT_EQ(order.row_begin.back(), order.row_count());
+    EXPECT_EQ(order.elements.size(), order.row_count() * Lanes::count);
+    EXPECT_EQ(order.patch_begin.back() + 1, order.tile_begin.size());
     EXPECT_EQ(order.color_begin.back(), order.patch_count());
   }
 }
@@ -138,8 +146,8 @@ TEST(SweepOrder, AnElementGoesToTheFirstPatchAmongItsVertices) {
   };
   for (std::size_t patch = 0; patch < order.patch_count(); ++patch) {
     std::set<int> found;
-    for (std::size_t i = Lanes::count * order.row_begin[patch]; i < Lanes::count * order.row_begin[patch + 1];
-         ++i)
+    const RowRange rows = rows_of_patch(order, patch);
+    for (std::size_t i = Lanes::count * rows.first; i < Lanes::count * rows.end; ++i)
       if (order.elements[i] >= 0) found.insert(first_patch(order.elements[i]));
     EXPECT_EQ(found.size(), 1u);
   }
@@ -150,7 +158,8 @@ TEST(SweepOrder, IsTheSameEveryTime) {
     const SweepOrder first = sweep_order(c.patches, c.elements);
     const SweepOrder second = sweep_order(c.patches, c.elements);
     EXPECT_EQ(first.elements, second.elements);
-    EXPECT_EQ(first.row_begin, second.row_begin);
+    EXPECT_EQ(first.tile_begin, second.tile_begin);
+    EXPECT_EQ(first.patch_begin, second.patch_begin);
     EXPECT_EQ(first.color_begin, second.color_begin);
   }
 }
@@ -165,30 +174,31 @@ TEST(SweepOrder, NothingMakesNoRows) {
   const SweepOrder order = sweep_order(test::one_patch(5), Elements{});
   EXPECT_EQ(order.row_count(), 0u);
   EXPECT_EQ(order.patch_count(), 0u);
-  sweep(order, [](std::size_t) { FAIL(); });
+  sweep(order, [](const RowRange&) { FAIL(); });
 }
 
 TEST(Sweep, CallsEveryRowOnce) {
   const Case c = triangles_of(make_grid({1, 1}, {30, 30}), 40);
   const SweepOrder order = sweep_order(c.patches, c.elements);
   std::vector<int> calls(order.row_count(), 0);
-  sweep(order, [&](std::size_t row) { ++calls[row]; });
+  sweep(order, [&](const RowRange& rows) {
+    for (std::size_t row = rows.first; row < rows.end; ++row) ++calls[row];
+  });
   EXPECT_EQ(calls, std::vector<int>(order.row_count(), 1));
 }
 
 TEST(ForEachLane, NamesElementsInOrderAndAFillerForEachPatch) {
   const Case c = triangles_of(make_grid({1, 1}, {30, 30}), 40);
   const SweepOrder order = sweep_order(c.patches, c.elements);
-  std::vector<int> elements;
-  std::set<int> fillers;
+  std::vector<int> elements(order.elements.size(), -2);
+  std::vector<int> fillers(order.elements.size());
   for_each_lane(order, 900, [&](int element, std::size_t row, int lane, int filler) {
-    EXPECT_EQ(Lanes::count * row + static_cast<std::size_t>(lane), elements.size());
-    elements.push_back(element);
-    fillers.insert(filler);
+    elements[Lanes::count * row + static_cast<std::size_t>(lane)] = element;
+    fillers[Lanes::count * row + static_cast<std::size_t>(lane)] = filler;
   });
   EXPECT_EQ(elements, order.elements);
-  EXPECT_EQ(fillers.size(), order.patch_count());
-  EXPECT_EQ(*fillers.begin(), 900);
+  EXPECT_EQ(std::set<int>(fillers.begin(), fillers.end()).size(), order.patch_count());
+  EXPECT_EQ(*std::min_element(fillers.begin(), fillers.end()), 900);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ TetherStage tethers_of(const Sheet& sheet, const std::vector<int>& pins, double 
 std::vector<Vec3> pulled(const TetherStage& stage, const std::vector<Vec3>& start,
                          const std::vector<Vec3>& ways) {
   std::vector<Point4> base, offsets = test::points_of(ways, std::vector<double>(ways.size(), 1));
-  load_tethers(stage, start, base);
+  load_tethers(stage, test::split_of(start), base);
   pull_tethers(stage, base, offsets);
   return test::sum_of(start, test::vectors_of(offsets, ways.size()));
 }
