@@ -40,13 +40,18 @@ Mat3 inertia_about(const FreePiece& piece, const Vec3& centre, const std::vector
 
 void restore_momenta(const FreePiece& piece, const std::vector<double>& masses, const std::vector<Vec3>& x0,
                      const std::vector<Vec3>& v0, const std::vector<Vec3>& a, double step,
-                     const std::vector<Vec3>& x1, std::vector<Vec3>& v1) {
+                     std::vector<Vec3>& x1, std::vector<Vec3>& v1) {
   const Momenta before = momenta_of(piece, masses, x0, v0), after = momenta_of(piece, masses, x1, v1);
   const Momenta rate = momenta_of(piece, masses, x0, a);
   const Vec3 shift = (before.linear + step * rate.linear - after.linear) / after.mass;
   const Vec3 lost = before.angular + step * rate.angular - after.angular;
   const Vec3 turn = inertia_about(piece, after.centre, masses, x1).inverse() * lost;
-  for (const int i : piece.vertices) v1[i] += shift + turn.cross(x1[i] - after.centre);
+  const Vec3 way = step / before.mass * (before.linear + step * rate.linear);
+  const Vec3 astray = before.centre + way - after.centre;
+  for (const int i : piece.vertices) {
+    v1[i] += shift + turn.cross(x1[i] - after.centre);
+    x1[i] += astray;
+  }
 }
 
 }  // namespace drape

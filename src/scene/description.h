@@ -82,6 +82,8 @@ struct SceneDescription {
   std::string file;  // as the user named it
   std::string name;  // one line without /, at most 100 bytes
   TimeSettings time;
+  DeformationModel model = DeformationModel::shape_matching;
+  double alpha = 1;  // of the averaged model
   Vec3 gravity{0, -9.81, 0};
   WindInput wind;
   bool self_collision = true;

@@ -55,6 +55,10 @@ void read_time(const Section& scene, TimeSettings& settings) {
 
 void read_world(const Section& scene, SceneDescription& description) {
   const Section simulation = open_section(scene, "simulation");
+  int model = static_cast<int>(description.model);
+  read_choice(simulation, "model", model);
+  description.model = static_cast<DeformationModel>(model);
+  read_number(simulation, "alpha", description.alpha);
   read_numbers(simulation, "gravity", description.gravity);
   const Section wind = open_section(simulation, "wind");
   read_numbers(wind, "velocity", description.wind.velocity);

@@ -48,6 +48,7 @@ constexpr NumberRule turn = {angle, -36'000, 36'000};
 
 constexpr std::array<std::string_view, 4> pattern_names = {"plain", "checker", "stripe", "tartan"};
 constexpr std::array<std::string_view, 4> edge_names = {"-x", "+x", "-z", "+z"};
+constexpr std::array<std::string_view, 3> model_names = {"shape_matching", "averaged", "mass_spring"};
 constexpr std::array<std::string_view, 3> quality_names = {"draft", "preview", "final"};
 
 constexpr Key general_keys[] = {
@@ -62,6 +63,8 @@ constexpr Key general_keys[] = {
     number("time.step", time, 1e-5, 0.1, "longest step; a frame is cut into equal steps"),
 
     section("simulation", "the world"),
+    choice("simulation.model", model_names, "how cloth resists deformation"),
+    number("simulation.alpha", plain, 1e-6, 1, "of averaged: the share of the way to the goals in each step"),
     numbers("simulation.gravity", 3, {acceleration, -1000, 1000}, "[x, y, z]; +y is up"),
     section("simulation.wind", "moving air"),
     numbers("simulation.wind.velocity", 3, {speed, -100, 100}, "[x, y, z]"),

@@ -8,6 +8,8 @@ SimulationInput simulation_input(const SceneDescription& scene) {
   for (const ClothDescription& cloth : scene.cloths) input.cloths.push_back(cloth.input);
   for (const ColliderDescription& collider : scene.colliders) input.colliders.push_back(collider.input);
   input.seams = scene.seams;
+  input.model = scene.model;
+  input.alpha = scene.alpha;
   input.gravity = scene.gravity;
   input.wind = scene.wind;
   input.self_collision = scene.self_collision;
@@ -121,6 +123,8 @@ std::uint64_t simulation_fingerprint(const SceneDescription& scene) {
   Fingerprint fingerprint;
   fingerprint.add(scene.time.fps);
   fingerprint.add(scene.time.step);
+  fingerprint.add(static_cast<std::uint64_t>(scene.model));
+  fingerprint.add(scene.alpha);
   fingerprint.add(scene.gravity);
   fingerprint.add(scene.wind);
   fingerprint.add(scene.self_collision);

@@ -87,7 +87,16 @@ struct WindInput {
   double lift = 0.8;              // at right angles to the stream, more than the pressure's own
 };
 
+// How cloth resists deformation.
+enum class DeformationModel {
+  shape_matching,  // the default
+  averaged,        // the paper's own form: outer corners and fibres in one averaged pass, a share `alpha` each step
+  mass_spring,     // Bridson, Marino and Fedkiw 2003, explicit: what the paper compares with
+};
+
 struct SimulationInput {
+  DeformationModel model = DeformationModel::shape_matching;
+  double alpha = 1;  // of the averaged model, in (0, 1]
   std::vector<ClothInput> cloths;
   std::vector<ColliderInput> colliders;
   std::vector<SeamInput> seams;

@@ -34,15 +34,17 @@ void aim_colliders(const World& world, double time, const State& state, Scratch&
   }
 }
 
-// Sections 3 and 4: external forces, and x -> x**. Pieces that nothing holds keep their momenta.
-void move_freely(const World& world, double time, const State& state, Scratch& scratch) {
+// Sections 3 and 4: external forces, and x -> x**. Pieces that nothing holds keep their momenta (but
+// in the paper's own form, which leaves that open).
+void move_without_contact(const World& world, double time, const State& state, Scratch& scratch) {
   external_accelerations(world, time - world.step, state.positions, state.velocities, scratch.accelerations);
   scratch.free_positions = state.positions;
   scratch.free_velocities = state.velocities;
   const auto colliders = std::span<const BodyMotion>(scratch.bodies).subspan(world.input.cloths.size());
   place_pinned(world.pins, time - world.step, time, state, colliders, scratch.free_positions);
-  advance_elastic(world.elastic, scratch.accelerations, state.positions, scratch.elastic, scratch.free_positions,
-                  scratch.free_velocities);
+  move_freely(world.model, scratch.accelerations, world.step, world.pinned, state.positions, scratch.free_motion,
+              scratch.free_positions, scratch.free_velocities);
+  if (world.input.model != DeformationModel::shape_matching) return;
   for (const FreePiece& piece : world.free_pieces)
     restore_momenta(piece, world.masses, state.positions, state.velocities, scratch.accelerations, world.step,
                     scratch.free_positions, scratch.free_velocities);
@@ -87,7 +89,7 @@ ContactStepResult advance_step(const World& world, double time, State& state, Sc
     aim_colliders(world, time, state, scratch);
   });
   timed(profile, Phase::elastic, [&] {
-    move_freely(world, time, state, scratch);
+    move_without_contact(world, time, state, scratch);
     sew_shut(world, time, state, scratch);
     std::copy(scratch.free_positions.begin(), scratch.free_positions.end(), scratch.end.begin());
   });

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "contact/contact_step.h"
-#include "deformation/elastic_model.h"
+#include "simulation/free_motion.h"
 #include "simulation/simulation.h"
 #include "simulation/world.h"
 
@@ -18,7 +18,7 @@ struct Scratch {
   std::vector<Vec3> unsewn_positions;
   std::vector<BodyMotion> bodies;
   std::vector<double> collider_aims;  // seconds: the time on its way that each collider makes for
-  ElasticScratch elastic;
+  FreeMotionScratch free_motion;
   ContactCache contacts;
 };
 

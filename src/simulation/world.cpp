@@ -116,8 +116,7 @@ std::vector<FreePiece> free_pieces(const World& world) {
 
 void build_pinned_parts(World& world, std::vector<char> pinned) {
   world.pinned = std::move(pinned);
-  world.elastic = build_elastic_model(world.sheet, world.masses, world.pinned,
-                                      world.input.gravity.norm(), world.step);
+  world.model = build_model(world.input, world.sheet, world.masses, world.pinned, world.step);
   world.geometry.inverse_masses.assign(world.geometry.vertex_body.size(), 0.0);
   for (std::size_t v = 0; v < world.masses.size(); ++v)
     if (!world.pinned[v]) world.geometry.inverse_masses[v] = 1 / world.masses[v];
@@ -130,11 +129,12 @@ World build_world(SimulationInput input) {
   World world;
   world.input = std::move(input);
   world.sheet = build_sheet(world.input);
-  const double longest = std::min({world.input.largest_step, longest_elastic_step(world.sheet),
-                                   longest_contact_step(world.input)});
+  world.masses = lumped_masses(world.sheet);
+  const double longest =
+      std::min({world.input.largest_step, longest_model_step(world.input, world.sheet, world.masses),
+                longest_contact_step(world.input)});
   world.steps_per_frame = static_cast<int>(std::ceil(world.input.frame_duration / longest - 1e-9));
   world.step = world.input.frame_duration / world.steps_per_frame;
-  world.masses = lumped_masses(world.sheet);
   world.pressures = triangle_pressures(world.input.cloths);
   world.pins = build_pins(world.input.cloths);
   build_geometry(world);

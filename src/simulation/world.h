@@ -4,10 +4,10 @@
 
 #include "contact/contact_geometry.h"
 #include "contact/contact_step.h"
-#include "deformation/elastic_model.h"
 #include "deformation/momentum.h"
 #include "deformation/seams.h"
 #include "deformation/sheet.h"
+#include "simulation/free_motion.h"
 #include "simulation/input.h"
 #include "simulation/pins.h"
 #include "simulation/simulation.h"
@@ -30,7 +30,7 @@ struct World {
   ContactSettings contact_settings;
 
   std::vector<char> pinned;
-  ElasticModel elastic;
+  ModelParts model;
   std::vector<FreePiece> free_pieces;
 };
 

@@ -14,7 +14,7 @@ static const std::string scene_text =
 TEST(Fingerprint, ChangesWithAllThatTheMotionDependsOn) {
   const std::vector<std::string> changes = {"time.fps=31",
                                             "time.step=1 ms",
-                                            "simulation.gravity=[0, -9.8, 0]",
+                                            "simulation.gravity=[0, -9.8, 0]", "simulation.model=averaged", "simulation.alpha=0.5",
                                             "simulation.wind.velocity=[0, 0, 1]",
                                             "simulation.wind.drag=2",
                                             "simulation.wind.gust=0.1",

@@ -67,6 +67,8 @@ TEST(Reference, HasTheDefaultsOfTime) {
 TEST(Reference, HasTheDefaultsOfTheSimulation) {
   const SceneDescription scene = load_scene(reference_file()), standard;
   EXPECT_EQ(scene.name, "reference");
+  EXPECT_EQ(scene.model, standard.model);
+  EXPECT_EQ(scene.alpha, standard.alpha);
   EXPECT_EQ(scene.gravity, standard.gravity);
   EXPECT_EQ(scene.wind.velocity, standard.wind.velocity);
   EXPECT_EQ(scene.wind.gust, standard.wind.gust);
