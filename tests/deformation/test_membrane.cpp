@@ -92,9 +92,9 @@ TEST(Membrane, ARestShapeMovedRigidlyStays) {
   for (const TriangleMesh& mesh : {test::jittered_grid(9), make_sphere(0.4, 12, 9), test::tetrahedron()}) {
     const Sheet sheet = sheet_of(mesh, fabric());
     const Membrane membrane = membrane_of(sheet, test::random_masses(mesh.positions.size(), random), 1);
-    EXPECT_LT(test::longest(displacements(membrane, mesh.positions)), 2e-6);
+    EXPECT_LT(test::longest(displacements(membrane, mesh.positions)), 5e-6);
     const std::vector<Vec3> x = test::moved(mesh.positions, random.rotation(), random.vector(100));
-    EXPECT_LT(test::longest(displacements(membrane, x)), 2e-6);
+    EXPECT_LT(test::longest(displacements(membrane, x)), 5e-6);
   }
 }
 

@@ -39,7 +39,7 @@ ClothInput ball(double radius, int segments) {
 
 ColliderInput ground() { return {"ground", PlaneShape{}, {}, 0.3}; }
 
-static std::vector<double> masses(const Simulation& simulation) {
+std::vector<double> point_masses(const Simulation& simulation) {
   std::vector<double> result;
   for (const ClothInput& cloth : simulation.input().cloths) {
     const std::size_t first = result.size();
@@ -54,14 +54,14 @@ static std::vector<double> masses(const Simulation& simulation) {
 }
 
 Vec3 linear_momentum(const Simulation& simulation) {
-  const std::vector<double> m = masses(simulation);
+  const std::vector<double> m = point_masses(simulation);
   Vec3 sum = Vec3::Zero();
   for (std::size_t v = 0; v < m.size(); ++v) sum += m[v] * simulation.state().velocities[v];
   return sum;
 }
 
 Vec3 angular_momentum(const Simulation& simulation) {
-  const std::vector<double> m = masses(simulation);
+  const std::vector<double> m = point_masses(simulation);
   const State& state = simulation.state();
   Vec3 sum = Vec3::Zero();
   for (std::size_t v = 0; v < m.size(); ++v) sum += m[v] * state.positions[v].cross(state.velocities[v]);

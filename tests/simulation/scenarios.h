@@ -21,6 +21,7 @@ void remove_air(SimulationInput& input);
 // A closed sphere of that radius round the origin.
 ClothInput ball(double radius, int segments);
 
+std::vector<double> point_masses(const Simulation& simulation);  // kg
 Vec3 linear_momentum(const Simulation& simulation);
 Vec3 angular_momentum(const Simulation& simulation);  // about the origin
 

@@ -9,7 +9,8 @@ namespace {
 
 using namespace test;
 
-TEST(FreeFlight, FallsAsGravitySaysToRounding) {
+// Points are floats from where each step starts: a part in 1e7 of the way of a step, at random.
+TEST(FreeFlight, FallsAsGravitySays) {
   SimulationInput input = simulate_alone(sheet(1, 12, 0));
   remove_air(input);
   Simulation simulation(input);
@@ -20,14 +21,30 @@ TEST(FreeFlight, FallsAsGravitySaysToRounding) {
   const double way = -9.81 * h * h * n * (n + 1) / 2;
   for (std::size_t v = 0; v < simulation.state().positions.size(); ++v) {
     const Vec3 moved = simulation.state().positions[v] - input.cloths[0].start_positions[v];
-    EXPECT_NEAR(moved.y(), way, 1e-10);
-    EXPECT_NEAR(Vec2(moved.x(), moved.z()).norm(), 0, 1e-10);
-    EXPECT_NEAR(simulation.state().velocities[v].y(), -9.81 * n * h, 1e-9);
+    EXPECT_NEAR(moved.y(), way, 1e-6);
+    EXPECT_NEAR(Vec2(moved.x(), moved.z()).norm(), 0, 1e-6);
+    EXPECT_NEAR(simulation.state().velocities[v].y(), -9.81 * n * h, 1e-4);
   }
 }
 
-Simulation tumbling_sheet() {
-  SimulationInput input = simulate_alone(sheet(1, 16, 0));
+TEST(FreeFlight, TheCentreOfMassFallsToRounding) {
+  SimulationInput input = simulate_alone(sheet(1, 12, 0));
+  remove_air(input);
+  Simulation simulation(input);
+  advance(simulation, 30);
+  const double steps = 30 * simulation.steps_per_frame(), h = input.frame_duration / simulation.steps_per_frame();
+  const double mass = linear_momentum(simulation).y() / (-9.81 * steps * h);
+  EXPECT_NEAR(mass, 0.2, 1e-12);
+  double centre = 0;
+  const std::vector<double> masses = point_masses(simulation);
+  for (std::size_t v = 0; v < masses.size(); ++v) centre += masses[v] * simulation.state().positions[v].y() / mass;
+  EXPECT_NEAR(centre, -9.81 * h * h * steps * (steps + 1) / 2, 1e-12);
+}
+
+Simulation tumbling_sheet(int points = 16, double step = 0.002) {
+  SimulationInput input = simulate_alone(sheet(1, points, 0));
+  input.frame_duration = input.largest_step = step;
+  input.self_collision = false;  // friction acts across the thickness, and so turns
   remove_air(input);
   input.gravity.setZero();
   Simulation simulation(input);
@@ -40,28 +57,29 @@ Simulation tumbling_sheet() {
   return simulation;
 }
 
-TEST(FreeFlight, KeepsLinearMomentum) {
+TEST(FreeFlight, KeepsLinearMomentumForTenSeconds) {
   Simulation simulation = tumbling_sheet();
   const Vec3 before = linear_momentum(simulation);
-  advance(simulation, 60);
+  advance(simulation, 5000);
   EXPECT_LT((linear_momentum(simulation) - before).norm(), 1e-9 * before.norm());
 }
 
-TEST(FreeFlight, KeepsAngularMomentum) {
+TEST(FreeFlight, KeepsAngularMomentumForTenSeconds) {
   Simulation simulation = tumbling_sheet();
   const Vec3 before = angular_momentum(simulation);
-  advance(simulation, 60);
+  advance(simulation, 5000);
   EXPECT_LT((angular_momentum(simulation) - before).norm(), 1e-9 * before.norm());
 }
 
-TEST(FreeFlight, NeverGainsEnergy) {
-  Simulation simulation = tumbling_sheet();
-  double before = 1e300;
-  for (int frame = 0; frame < 90; ++frame) {
-    const double energy = simulation.advance_frame().kinetic_energy;
-    // Stretch and bending give back a little of what they hold.
-    EXPECT_LT(energy, before * 1.02);
-    before = energy;
+// All its energy is of motion at the start; what stretch and bending hold in between they give back, but no more.
+TEST(FreeFlight, GainsNoEnergyInAMinuteWhateverTheStep) {
+  for (const double step : {0.001, 0.002, 0.005}) {
+    Simulation simulation = tumbling_sheet(8, step);
+    double most = 0;
+    const double start = simulation.advance_frame().kinetic_energy;
+    for (int frame = 0; frame < 60 / step; ++frame)
+      most = std::max(most, simulation.advance_frame().kinetic_energy);
+    EXPECT_LE(most, start) << step;
   }
 }
 
@@ -75,7 +93,7 @@ TEST(FreeFlight, OnePieceDoesNotPullAnother) {
   for (std::size_t v = 0; v < 64; ++v) state.velocities[v] = Vec3(1, 0, 0);
   simulation.restore(state);
   advance(simulation, 10);
-  for (std::size_t v = 64; v < 128; ++v) EXPECT_LT(simulation.state().velocities[v].norm(), 1e-10);
+  for (std::size_t v = 64; v < 128; ++v) EXPECT_LT(simulation.state().velocities[v].norm(), 1e-4);
 }
 
 }  // namespace
