@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <thread>
 
@@ -15,8 +16,11 @@ static std::string processor_name() {
 }
 
 std::string machine_name() {
-  return fmt::format("{}, {} cores, compiler {}", processor_name(), std::thread::hardware_concurrency(),
-                     __VERSION__);
+  double load = 0;
+  const bool known = getloadavg(&load, 1) == 1;
+  return fmt::format("{}, {} cores, compiler {}, load {}", processor_name(),
+                     std::thread::hardware_concurrency(), __VERSION__,
+                     known ? fmt::format("{:.1f}", load) : "unknown");
 }
 
 }  // namespace drape::bench

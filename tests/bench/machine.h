@@ -6,7 +6,7 @@
 
 namespace drape::bench {
 
-// The processor's name, its cores and the compiler.
+// The processor's name, its cores, the compiler, and how many programs the machine was running.
 std::string machine_name();
 
 inline double clock_seconds(clockid_t clock) {
