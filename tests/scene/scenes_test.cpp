@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <numbers>
 
@@ -14,10 +15,12 @@ namespace fs = std::filesystem;
 
 static fs::path scenes_folder() { return fs::path(DRAPE_SOURCE_DIR) / "scenes"; }
 
+// Those of the folder and of scenes/paper; scenes/materials has only parts to include.
 static std::vector<std::string> scenes() {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(scenes_folder()))
-    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem());
+  for (const fs::path folder : {".", "paper"})
+    for (const auto& entry : fs::directory_iterator(scenes_folder() / folder))
+      if (entry.path().extension() == ".yaml") names.push_back((folder / entry.path().stem()).lexically_normal());
   return names;
 }
 
@@ -30,7 +33,11 @@ TEST_P(Scene, Loads) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Scene, testing::ValuesIn(scenes()),
-                         [](const auto& instance) { return instance.param; });
+                         [](const auto& instance) {
+                           std::string name = instance.param;
+                           std::replace(name.begin(), name.end(), '/', '_');
+                           return name;
+                         });
 
 TEST(Scenes, SphereDrapeHasItsTriangles) {
   const auto scene = load_scene(scenes_folder() / "sphere_drape.yaml");
