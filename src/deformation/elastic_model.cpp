@@ -53,21 +53,27 @@ constexpr std::size_t largest_patch = 1300;
 
 }  // namespace
 
-// Mean length of each material's edges.
-static std::vector<double> mean_edge_lengths(const Sheet& sheet) {
+// The length that counts of each material's edges: the shortest one, but no less than a quarter of their mean, so that
+// one sliver does not make a whole cloth slow.
+static std::vector<double> counting_lengths(const Sheet& sheet) {
+  constexpr double least_share = 0.25;
   std::vector<double> sums(sheet.materials.size(), 0.0), counts(sheet.materials.size(), 0.0);
+  std::vector<double> shortest(sheet.materials.size(), std::numeric_limits<double>::infinity());
   for (const Edge& edge : sheet.topology.edges) {
     const int material = sheet.triangle_materials[edge.triangles[0]];
-    sums[material] += rest_length(sheet, edge);
+    const double length = rest_length(sheet, edge);
+    sums[material] += length;
     counts[material] += 1;
+    shortest[material] = std::min(shortest[material], length);
   }
-  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= std::max(counts[i], 1.0);
-  return sums;
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    shortest[i] = std::max(shortest[i], least_share * sums[i] / std::max(counts[i], 1.0));
+  return shortest;
 }
 
 double longest_elastic_step(const Sheet& sheet) {
-  constexpr double edges_crossed = 5, visible_speed = 30, bending_phase = 0.1;
-  const std::vector<double> lengths = mean_edge_lengths(sheet);
+  constexpr double edges_crossed = 6, visible_speed = 30, bending_phase = 0.1;
+  const std::vector<double> lengths = counting_lengths(sheet);
   double longest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     const ElasticMaterial& material = sheet.materials[i];
