@@ -106,7 +106,7 @@ std::string mass_spring_table(const std::vector<Row>& rows) {
   table += fmt::format("{:>8} {:>8} {:>8} {:>10} {:>9} {:>6} {:>10}\n", "N/m", "p99", "largest", "stable ms",
                        "bound ms", "ratio", "speed m/s");
   for (const Row& row : rows)
-    table += fmt::format("{:8.0f} {:8.4f} {:8.3f} {:10.4f} {:9.4f} {:6.2f} {:10.1e}{}\n", row.stiffness,
+    table += fmt::format("{:8.0f} {:8.5f} {:8.3f} {:10.4f} {:9.4f} {:6.2f} {:10.1e}{}\n", row.stiffness,
                          row.stretch.p99, row.stretch.largest, milli * row.step, milli * row.bound,
                          row.step / row.bound, row.speed, row.stable ? "" : "  unstable at the bound");
   return table;
@@ -120,13 +120,13 @@ std::string ratio(const std::vector<Row>& springs, const Row& row) {
 
 std::string shape_matching_table(const std::vector<Row>& rows, const std::vector<Row>& springs) {
   std::string table = fmt::format(
-      "shape_matching, the default material (20000 N/m), one step a frame; the step that it "
+      "shape_matching, the default material (20000 N/m); the step that it "
       "chooses\nby itself is {:.2f} ms. Last: mass_spring's largest step at the same p99\n",
       milli * rows[0].bound);
   table += fmt::format("{:>8} {:>8} {:>8} {:>8} {:>10} {:>16} {:>6}\n", "step ms", "p99", "largest", "stable",
                        "speed m/s", "mass_spring's ms", "ratio");
   for (const Row& row : rows)
-    table += fmt::format("{:8.2f} {:8.4f} {:8.3f} {:>8} {:10.1e} {}\n", milli * row.step, row.stretch.p99,
+    table += fmt::format("{:8.2f} {:8.5f} {:8.3f} {:>8} {:10.1e} {}\n", milli * row.step, row.stretch.p99,
                          row.stretch.largest, row.stable ? "yes" : "no", row.speed, ratio(springs, row));
   return table;
 }
