@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "app/commands.h"
 #include "app/exit_status.h"
 #include "app/progress.h"
 #include "app/run.h"
 #include "app/view.h"
 #include "mesh/topology.h"
+#include "scene/load.h"
+#include "simulation/world.h"
 
 namespace drape::app {
 
@@ -24,6 +24,7 @@ namespace {
 struct SceneSize {
   std::size_t points = 0;
   int steps_per_frame = 0;
+  double longest_model_step = 0;  // seconds
   int frames = 0;
 };
 }  // namespace
@@ -31,7 +32,9 @@ struct SceneSize {
 static SceneSize measure(const SceneDescription& scene) {
   SceneSize size;
   for (const ClothDescription& cloth : scene.cloths) size.points += cloth.input.mesh.positions.size();
-  size.steps_per_frame = static_cast<int>(std::ceil(1 / (scene.time.fps * scene.time.step) - 1e-9));
+  const StepChoice steps = choose_steps(simulation_input(scene));
+  size.steps_per_frame = steps.per_frame;
+  size.longest_model_step = steps.longest_for_model;
   size.frames = scene.time.last_frame - scene.time.first_frame + 1;
   return size;
 }
@@ -50,6 +53,8 @@ static void print_time(const SceneDescription& scene, const SceneSize& size) {
                            scene.time.last_frame, scene.time.fps, size.frames / scene.time.fps));
   print_result(fmt::format("steps      {} a frame, {} in all", size.steps_per_frame,
                            size.steps_per_frame * scene.time.last_frame));
+  if (scene.model != DeformationModel::averaged)
+    print_result(fmt::format("model      its longest step is {:.3g} ms", 1000 * size.longest_model_step));
 }
 
 static double seconds_to_simulate(const SceneDescription& scene, const SceneSize& size) {

@@ -63,8 +63,8 @@ Eigen::MatrixXd affine_complement(const Cluster& cluster) {
   return q.rightCols(q.cols() - 3).transpose();
 }
 
-// Six points near a conic leave one curvature nearly undetermined: it gets no less than this share of the whole
-// compliance. All others keep theirs, or thin triangles and stiff warps would bend too easily.
+// Six points near a conic leave one curvature nearly undetermined: it gets no less than this share of the
+// whole compliance. All others keep theirs, or thin triangles and stiff warps would bend too easily.
 Eigen::MatrixXd at_least(double share, const Eigen::MatrixXd& compliance) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(compliance);
   const Eigen::VectorXd values = solver.eigenvalues().cwiseMax(share * compliance.trace());
@@ -168,9 +168,9 @@ bool is_curved(const Sheet& sheet, const Clusters& clusters) {
   return false;
 }
 
-// At the rim of a clamp the sheet bends on one side only: a row of folds there turns half as far as the curvature
-// says, and needs twice a row's stiffness. Half of one row's is that of the triangles outside; those within, whose
-// own corners are all pinned, have three halves.
+// At the rim of a clamp the sheet bends on one side only: a row of folds there turns half as far as the
+// curvature says, and needs twice a row's stiffness. Half of one row's is that of the triangles outside;
+// those within, whose own corners are all pinned, have three halves.
 double area_share(const std::array<int, 6>& corners, const std::vector<double>& inverse_masses) {
   const bool clamped =
       std::all_of(corners.begin(), corners.begin() + 3, [&](int v) { return !(inverse_masses[v] > 0); });

@@ -53,8 +53,8 @@ constexpr std::size_t largest_patch = 1300;
 
 }  // namespace
 
-// The length that counts of each material's edges: the shortest one, but no less than a quarter of their mean, so that
-// one sliver does not make a whole cloth slow.
+// The length that counts of each material's edges: the shortest one, but no less than a quarter of their
+// mean, so that one sliver does not make a whole cloth slow.
 static std::vector<double> counting_lengths(const Sheet& sheet) {
   constexpr double least_share = 0.25;
   std::vector<double> sums(sheet.materials.size(), 0.0), counts(sheet.materials.size(), 0.0);
@@ -138,12 +138,13 @@ void damp(const ElasticModel& model, ElasticScratch& scratch) {
 }
 
 // Pinned points are where their pins take them.
-void move_pinned(const ElasticModel& model, const std::vector<Vec3>& start, const std::vector<Vec3>& positions,
-                 ElasticScratch& scratch) {
+void move_pinned(const ElasticModel& model, const std::vector<Vec3>& start,
+                 const std::vector<Vec3>& positions, ElasticScratch& scratch) {
   for (std::size_t v = 0; v < start.size(); ++v) {
     if (model.inverse_masses[v].w > 0) continue;
     const Vec3 way = positions[v] - start[v];
-    scratch.offsets[v] = {static_cast<float>(way.x()), static_cast<float>(way.y()), static_cast<float>(way.z()), 0};
+    scratch.offsets[v] = {static_cast<float>(way.x()), static_cast<float>(way.y()),
+                          static_cast<float>(way.z()), 0};
   }
 }
 

@@ -8,11 +8,12 @@
 
 namespace drape {
 
-// The stiffness in N/m of a triangle's membrane along an edge, free to contract across: on the bias of a fabric that
-// shears easily, its shear's.
+// The stiffness in N/m of a triangle's membrane along an edge, free to contract across: on the bias of a
+// fabric that shears easily, its shear's.
 static double membrane_stiffness(const Sheet& sheet, int triangle, const Vec3& direction) {
   const ElasticMaterial& material = material_of(sheet, triangle);
-  const double cosine = warp_in_plane(sheet, triangle).dot(direction), c2 = cosine * cosine, s2 = std::max(1 - c2, 0.0);
+  const double cosine = warp_in_plane(sheet, triangle).dot(direction), c2 = cosine * cosine,
+               s2 = std::max(1 - c2, 0.0);
   const Vec3 strain(c2, s2, std::sqrt(c2 * s2));
   return 1 / strain.dot(membrane_tensor(material, Vec2(1, 0)).inverse() * strain);
 }
@@ -24,12 +25,14 @@ static double flexural_rigidity(const Sheet& sheet, int triangle, const Vec3& ed
   return weft * cosine * cosine + warp * (1 - cosine * cosine);
 }
 
-// The damping b of an element with gradients g_i and stiffness k. Its rate, alone, dies out as e^(-d t) with d = b
-// sum w_i |g_i|2. Kelvin-Voigt's b = damping k would want explicit steps of microseconds (BMF03 damp implicitly): an
-// element has no more than a twentieth of its critical damping. Zero where all of its points are pinned.
+// The damping b of an element with gradients g_i and stiffness k. Its rate, alone, dies out as e^(-d t) with
+// d = b sum w_i |g_i|2. Kelvin-Voigt's b = damping k would want explicit steps of microseconds (BMF03 damp
+// implicitly): an element has no more than a twentieth of its critical damping. Zero where all of its points
+// are pinned.
 template <std::size_t N>
 static double element_damping(double damping, double stiffness, const std::array<int, N>& vertices,
-                              const std::array<Vec3, N>& gradients, const std::vector<double>& inverse_masses) {
+                              const std::array<Vec3, N>& gradients,
+                              const std::vector<double>& inverse_masses) {
   constexpr double critical_share = 0.05;
   double response = 0;
   for (std::size_t i = 0; i < N; ++i) response += inverse_masses[vertices[i]] * gradients[i].squaredNorm();
@@ -43,8 +46,8 @@ static Spring build_spring(const Sheet& sheet, const Edge& edge, const std::vect
   Spring spring{edge.vertices, along.norm(), 0, 0};
   for (const int triangle : edge.triangles)
     if (triangle >= 0)
-      spring.stiffness +=
-          membrane_stiffness(sheet, triangle, along.normalized()) * rest_area(sheet, triangle) / along.squaredNorm();
+      spring.stiffness += membrane_stiffness(sheet, triangle, along.normalized()) *
+                          rest_area(sheet, triangle) / along.squaredNorm();
   const Vec3 direction = along / spring.rest_length;
   spring.damping = element_damping<2>(material_of(sheet, edge.triangles[0]).damping, spring.stiffness,
                                       spring.vertices, {-direction, direction}, inverse_masses);
@@ -84,8 +87,9 @@ static BendingElement build_bending_element(const Sheet& sheet, const Edge& edge
   const BendingAngle angle = bending_angle(vertices, sheet.rest_positions);
   const double rest_sine = std::abs(angle.half_sine) < flat ? 0 : angle.half_sine;
   const double stiffness = bending_stiffness(sheet, edge);
-  const double damping = element_damping<4>(material_of(sheet, edge.triangles[0]).damping, stiffness / 2, vertices,
-                                            angle.gradients, inverse_masses);  // sin(theta / 2) is theta / 2
+  const double damping =
+      element_damping<4>(material_of(sheet, edge.triangles[0]).damping, stiffness / 2, vertices,
+                         angle.gradients, inverse_masses);  // sin(theta / 2) is theta / 2
   std::array<double, 4> lengths;
   for (int i = 0; i < 4; ++i) lengths[i] = angle.gradients[i].norm();
   return {vertices, lengths, rest_sine, stiffness, damping};

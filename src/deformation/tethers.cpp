@@ -89,7 +89,8 @@ std::vector<char> convex_pieces(const Sheet& sheet, const std::vector<int>& piec
   for (int t = 0; t < static_cast<int>(sheet.triangles.size()); ++t)
     for (int k = 0; k < 3; ++k)
       if (opposite_vertex(sheet.topology, sheet.triangles, t, k) < 0)
-        boundary[piece_of[sheet.triangles[t][0]]].push_back({sheet.triangles[t][k], sheet.triangles[t][(k + 1) % 3]});
+        boundary[piece_of[sheet.triangles[t][0]]].push_back(
+            {sheet.triangles[t][k], sheet.triangles[t][(k + 1) % 3]});
   for (std::size_t piece = 0; piece < convex.size(); ++piece) {
     if (some_triangle[piece] < 0) continue;
     const auto& [a, b, c] = sheet.triangles[some_triangle[piece]];
@@ -98,7 +99,8 @@ std::vector<char> convex_pieces(const Sheet& sheet, const std::vector<int>& piec
     for (const auto& [from, to] : boundary[piece]) size = std::max(size, (x[from] - x[a]).norm());
     const double tolerance = 1e-6 * size;
     for (std::size_t v = 0; v < x.size() && convex[piece]; ++v)
-      if (piece_of[v] == static_cast<int>(piece) && std::abs(normal.dot(x[v] - x[a])) > tolerance) convex[piece] = 0;
+      if (piece_of[v] == static_cast<int>(piece) && std::abs(normal.dot(x[v] - x[a])) > tolerance)
+        convex[piece] = 0;
     if (boundary[piece].empty()) convex[piece] = 0;
     for (const auto& [from, to] : boundary[piece]) {
       const Vec3 inward = normal.cross((x[to] - x[from]).normalized());
@@ -110,9 +112,10 @@ std::vector<char> convex_pieces(const Sheet& sheet, const std::vector<int>& piec
   return convex;
 }
 
-// How far the material stretches between a pin and a point at `distance`, where `weight` hangs on the pin: at r the
-// tension is weight over the front, a quarter circle of radius r that is no longer than the piece is wide, summed up
-// from an edge's length on. (Along warp or weft that is the stretch stiffness, on the bias mostly the shear stiffness.)
+// How far the material stretches between a pin and a point at `distance`, where `weight` hangs on the pin: at
+// r the tension is weight over the front, a quarter circle of radius r that is no longer than the piece is
+// wide, summed up from an edge's length on. (Along warp or weft that is the stretch stiffness, on the bias
+// mostly the shear stiffness.)
 double slack(double weight, double stiffness, double edge_length, double distance, double width) {
   constexpr double quarter = std::numbers::pi / 2;
   const double reach = std::max(distance, edge_length), whole_width = std::max(width / quarter, edge_length);
@@ -137,9 +140,11 @@ double mean_width(const Reach& reach, double area) {
   return area / farthest;
 }
 
-// In N/m along a direction of the rest shape, free to contract across; on the bias where there is none in its plane.
+// In N/m along a direction of the rest shape, free to contract across; on the bias where there is none in its
+// plane.
 double stiffness_along(const Sheet& sheet, int triangle, const std::optional<Vec3>& direction) {
-  const double along_warp = direction ? std::abs(warp_in_plane(sheet, triangle).dot(*direction)) : std::sqrt(0.5);
+  const double along_warp =
+      direction ? std::abs(warp_in_plane(sheet, triangle).dot(*direction)) : std::sqrt(0.5);
   const double cosine = std::min(1.0, along_warp);
   const double sine = std::sqrt(1 - cosine * cosine);
   const Vec3 strain(cosine * cosine, sine * sine, cosine * sine);
@@ -148,8 +153,8 @@ double stiffness_along(const Sheet& sheet, int triangle, const std::optional<Vec
 
 }  // namespace
 
-TetherStage build_tethers(const Sheet& sheet, const std::vector<double>& masses, const std::vector<char>& pinned,
-                          double gravity) {
+TetherStage build_tethers(const Sheet& sheet, const std::vector<double>& masses,
+                          const std::vector<char>& pinned, double gravity) {
   const std::vector<Vec3>& x = sheet.rest_positions;
   const EdgeGraph graph = edge_graph(sheet);
   const std::vector<int> piece_of = connected_pieces(static_cast<int>(x.size()), sheet.triangles);
@@ -167,8 +172,10 @@ TetherStage build_tethers(const Sheet& sheet, const std::vector<double>& masses,
       const int piece = piece_of[v];
       const double way = convex[piece] ? (x[v] - x[pin]).norm() : reach.distance[v];
       const double edge_length = graph.neighbours[v].front().second;
-      const std::optional<Vec3> direction = convex[piece] ? std::optional<Vec3>((x[v] - x[pin]) / way) : std::nullopt;
-      const double stiffness = stiffness_along(sheet, sheet.topology.vertex_triangles[sheet.topology.vertex_triangle_begin[v]], direction);
+      const std::optional<Vec3> direction =
+          convex[piece] ? std::optional<Vec3>((x[v] - x[pin]) / way) : std::nullopt;
+      const double stiffness = stiffness_along(
+          sheet, sheet.topology.vertex_triangles[sheet.topology.vertex_triangle_begin[v]], direction);
       of_vertex[v].push_back(
           {v, pin, static_cast<float>(way + slack(weights[piece], stiffness, edge_length, way, width))});
     }

@@ -29,8 +29,8 @@ Vector any_normal(const Vector& direction) {
   return length > 0 ? Vector(normal / length) : Vector(0, 0, 1);
 }
 
-// The two columns r1, r2 of the optimal rotation of the rest plane, from the edges e1 = x2 - x1 and e2 = x3 - x1:
-// with n the normal of the deformed triangle,
+// The two columns r1, r2 of the optimal rotation of the rest plane, from the edges e1 = x2 - x1 and e2 = x3 -
+// x1: with n the normal of the deformed triangle,
 //   r1 = normalise(e1 + v x n),  r2 = n x r1,  v = k1 e1 + k2 e2.
 // Collinear points have no normal: any unit vector across them serves.
 template <typename Scalar>
@@ -51,9 +51,9 @@ std::array<Eigen::Matrix<Scalar, 3, 1>, 2> matched_frame(Scalar k1, Scalar k2,
 }
 
 // What takes each of the three points to its goal: the rest triangle, rotated and moved to fit the points
-// best with their masses (least squares). Section 4.1 and Appendix A of the paper in closed form. The appendix
-// prints R without its normalisation, and its goals in the frame of the rest shape; both are mended here. Points
-// that all coincide stay.
+// best with their masses (least squares). Section 4.1 and Appendix A of the paper in closed form. The
+// appendix prints R without its normalisation, and its goals in the frame of the rest shape; both are mended
+// here. Points that all coincide stay.
 template <typename Scalar>
 std::array<Eigen::Matrix<Scalar, 3, 1>, 3> match_displacements(const MatchConstants<Scalar>& rest,
                                                                const Eigen::Matrix<Scalar, 3, 1>& x1,

@@ -71,8 +71,9 @@ std::optional<TriangleMesh> read_shape(const Section& cloth, const std::filesyst
 void read_warp(const Section& section, Vec3& warp) {
   read_numbers(section, "warp", warp);
   if (warp.isZero(0))
-    section.problems->add(find_value(section, "warp")->place,
-                          fmt::format("{} is a direction, and must not be [0, 0, 0]", path_of(section, "warp")));
+    section.problems->add(
+        find_value(section, "warp")->place,
+        fmt::format("{} is a direction, and must not be [0, 0, 0]", path_of(section, "warp")));
 }
 
 void read_material_keys(const Section& section, ClothMaterial& material) {

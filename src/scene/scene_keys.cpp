@@ -102,7 +102,8 @@ constexpr Key cloth_keys[] = {
     number("cloths.*.material.shear", tension, 0.1, 1e6, "shear force per width at an angle of 1 rad"),
     number("cloths.*.material.poisson", plain, -0.9, 0.9, "contraction across, over the strain along"),
     pair("cloths.*.material.bend", flexural_rigidity, 0, 1, "[warp, weft]: flexural rigidity"),
-    numbers("cloths.*.material.warp", 3, {plain, -1000, 1000}, "[x, y, z]: its direction in the unplaced shape"),
+    numbers("cloths.*.material.warp", 3, {plain, -1000, 1000},
+            "[x, y, z]: its direction in the unplaced shape"),
     number("cloths.*.material.damping", time, 0, 10, "stress at a rate of strain, over that at the strain"),
     number("cloths.*.material.strain_limit", plain, 0, 10, "no edge stretches by more; 0: no limit"),
     number("cloths.*.material.friction", plain, 0, 10, "Coulomb's coefficient"),
@@ -220,9 +221,9 @@ constexpr Key picture_keys[] = {
 
 // The parts one after another.
 constexpr auto all_keys = [] {
-  std::array<Key, std::size(general_keys) + std::size(material_keys) + std::size(cloth_keys) + std::size(seam_keys) +
-                      std::size(collider_keys) + std::size(shared_keys) + std::size(measure_keys) +
-                      std::size(picture_keys)>
+  std::array<Key, std::size(general_keys) + std::size(material_keys) + std::size(cloth_keys) +
+                      std::size(seam_keys) + std::size(collider_keys) + std::size(shared_keys) +
+                      std::size(measure_keys) + std::size(picture_keys)>
       keys;
   std::size_t count = 0;
   const auto append = [&](const auto& part) {

@@ -63,10 +63,10 @@ class Fingerprint {
   }
   void add(const ClothMaterial& material) {
     const ElasticMaterial& elastic = material.elastic;
-    for (const double value :
-         {elastic.density, elastic.stretch_stiffness[0], elastic.stretch_stiffness[1], elastic.shear_stiffness,
-          elastic.poisson_ratio, elastic.bend_stiffness[0], elastic.bend_stiffness[1], elastic.damping,
-          elastic.strain_limit, material.thickness, material.friction})
+    for (const double value : {elastic.density, elastic.stretch_stiffness[0], elastic.stretch_stiffness[1],
+                               elastic.shear_stiffness, elastic.poisson_ratio, elastic.bend_stiffness[0],
+                               elastic.bend_stiffness[1], elastic.damping, elastic.strain_limit,
+                               material.thickness, material.friction})
       add(value);
     add(material.warp);
   }

@@ -11,20 +11,21 @@
 
 namespace drape {
 
-// The cache is a folder: frame_0001.drape ... (what pictures are drawn from: floats), and checkpoint.drape (the
-// last whole state in double, from which a simulation goes on). Files are zstd, carry a hash of their content and
-// the fingerprint of what they were made from (the scene's settings that the simulation depends on), and are
-// written whole or not at all.
+// The cache is a folder: frame_0001.drape ... (what pictures are drawn from: floats), and checkpoint.drape
+// (the last whole state in double, from which a simulation goes on). Files are zstd, carry a hash of their
+// content and the fingerprint of what they were made from (the scene's settings that the simulation depends
+// on), and are written whole or not at all.
 
 struct CachedFrame {
   int frame = 0;
   std::uint64_t state_hash = 0;
-  std::vector<Vec3f> positions;           // of all cloths, one after another
+  std::vector<Vec3f> positions;  // of all cloths, one after another
   std::vector<RigidPose> collider_poses;
 };
 
 std::filesystem::path cached_frame_path(const std::filesystem::path& folder, int frame);
-void write_cached_frame(const std::filesystem::path& folder, std::uint64_t fingerprint, const CachedFrame& frame);
+void write_cached_frame(const std::filesystem::path& folder, std::uint64_t fingerprint,
+                        const CachedFrame& frame);
 // Throws FileError where the file is missing, damaged (hash), or made from something else (fingerprint); the
 // message says which, and what to run.
 CachedFrame read_cached_frame(const std::filesystem::path& folder, std::uint64_t fingerprint, int frame);

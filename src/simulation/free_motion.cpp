@@ -11,9 +11,12 @@ namespace drape {
 ModelParts build_model(const SimulationInput& input, const Sheet& sheet, const std::vector<double>& masses,
                        const std::vector<char>& pinned, double step) {
   switch (input.model) {
-    case DeformationModel::averaged: return build_averaged_model(sheet, masses, pinned, input.alpha);
-    case DeformationModel::mass_spring: return build_mass_spring(sheet, masses, pinned);
-    case DeformationModel::shape_matching: break;
+    case DeformationModel::averaged:
+      return build_averaged_model(sheet, masses, pinned, input.alpha);
+    case DeformationModel::mass_spring:
+      return build_mass_spring(sheet, masses, pinned);
+    case DeformationModel::shape_matching:
+      break;
   }
   return build_elastic_model(sheet, masses, pinned, input.gravity.norm(), step);
 }
@@ -24,18 +27,23 @@ static double stable_mass_spring_step(const Sheet& sheet, const std::vector<doub
   const std::vector<char> unpinned(masses.size(), 0);
   const double stable = build_mass_spring(sheet, masses, unpinned).stable_step;
   if (stable < least_step)
-    throw SimulationError(fmt::format("mass_spring is stable only in steps of up to {:.3g} us with these materials and "
-                                      "edges, and would take too long: make the stretch or bend stiffness less, the "
-                                      "edges longer, or use the model shape_matching",
-                                      1e6 * stable));
+    throw SimulationError(
+        fmt::format("mass_spring is stable only in steps of up to {:.3g} us with these materials and "
+                    "edges, and would take too long: make the stretch or bend stiffness less, the "
+                    "edges longer, or use the model shape_matching",
+                    1e6 * stable));
   return stable;
 }
 
-double longest_model_step(const SimulationInput& input, const Sheet& sheet, const std::vector<double>& masses) {
+double longest_model_step(const SimulationInput& input, const Sheet& sheet,
+                          const std::vector<double>& masses) {
   switch (input.model) {
-    case DeformationModel::averaged: return std::numeric_limits<double>::infinity();  // its stiffness is a share a step
-    case DeformationModel::mass_spring: return stable_mass_spring_step(sheet, masses);
-    case DeformationModel::shape_matching: break;
+    case DeformationModel::averaged:
+      return std::numeric_limits<double>::infinity();  // its stiffness is a share a step
+    case DeformationModel::mass_spring:
+      return stable_mass_spring_step(sheet, masses);
+    case DeformationModel::shape_matching:
+      break;
   }
   return longest_elastic_step(sheet);
 }

@@ -90,8 +90,8 @@ struct WindInput {
 // How cloth resists deformation.
 enum class DeformationModel {
   shape_matching,  // the default
-  averaged,        // the paper's own form: outer corners and fibres in one averaged pass, a share `alpha` each step
-  mass_spring,     // Bridson, Marino and Fedkiw 2003, explicit: what the paper compares with
+  averaged,  // the paper's own form: outer corners and fibres in one averaged pass, a share `alpha` each step
+  mass_spring,  // Bridson, Marino and Fedkiw 2003, explicit: what the paper compares with
 };
 
 struct SimulationInput {

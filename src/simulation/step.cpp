@@ -42,8 +42,8 @@ void move_without_contact(const World& world, double time, const State& state, S
   scratch.free_velocities = state.velocities;
   const auto colliders = std::span<const BodyMotion>(scratch.bodies).subspan(world.input.cloths.size());
   place_pinned(world.pins, time - world.step, time, state, colliders, scratch.free_positions);
-  move_freely(world.model, scratch.accelerations, world.step, world.pinned, state.positions, scratch.free_motion,
-              scratch.free_positions, scratch.free_velocities);
+  move_freely(world.model, scratch.accelerations, world.step, world.pinned, state.positions,
+              scratch.free_motion, scratch.free_positions, scratch.free_velocities);
   if (world.input.model != DeformationModel::shape_matching) return;
   for (const FreePiece& piece : world.free_pieces)
     restore_momenta(piece, world.masses, state.positions, state.velocities, scratch.accelerations, world.step,
@@ -64,7 +64,8 @@ void check_finite(const std::vector<Vec3>& x) {
   if (!finite) throw SimulationError("the positions are no longer finite numbers: try a smaller time step");
 }
 
-// Re-integration (section 5): what contact has moved is velocity too, but for its push; colliders to where they came.
+// Re-integration (section 5): what contact has moved is velocity too, but for its push; colliders to where
+// they came.
 void integrate(const World& world, const ContactStepResult& contact, State& state, Scratch& scratch) {
   const std::size_t count = state.positions.size();
   for (std::size_t v = 0; v < count; ++v)

@@ -13,8 +13,8 @@ namespace drape {
 struct Scratch {
   std::vector<Vec3> start, end;  // of all contact vertices: cloths, then colliders
   std::vector<Vec3> accelerations;
-  std::vector<Vec3> free_velocities;   // of the cloths' points, where there is no contact
-  std::vector<Vec3> free_positions;    // x**
+  std::vector<Vec3> free_velocities;  // of the cloths' points, where there is no contact
+  std::vector<Vec3> free_positions;   // x**
   std::vector<Vec3> unsewn_positions;
   std::vector<BodyMotion> bodies;
   std::vector<double> collider_aims;  // seconds: the time on its way that each collider makes for

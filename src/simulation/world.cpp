@@ -125,15 +125,24 @@ void build_pinned_parts(World& world, std::vector<char> pinned) {
 
 }  // namespace
 
+static StepChoice choose_steps_for(const SimulationInput& input, const Sheet& sheet,
+                                   const std::vector<double>& masses) {
+  const double model = longest_model_step(input, sheet, masses);
+  const double longest = std::min({input.largest_step, model, longest_contact_step(input)});
+  return {static_cast<int>(std::ceil(input.frame_duration / longest - 1e-9)), model};
+}
+
+StepChoice choose_steps(const SimulationInput& input) {
+  const Sheet sheet = build_sheet(input);
+  return choose_steps_for(input, sheet, lumped_masses(sheet));
+}
+
 World build_world(SimulationInput input) {
   World world;
   world.input = std::move(input);
   world.sheet = build_sheet(world.input);
   world.masses = lumped_masses(world.sheet);
-  const double longest =
-      std::min({world.input.largest_step, longest_model_step(world.input, world.sheet, world.masses),
-                longest_contact_step(world.input)});
-  world.steps_per_frame = static_cast<int>(std::ceil(world.input.frame_duration / longest - 1e-9));
+  world.steps_per_frame = choose_steps_for(world.input, world.sheet, world.masses).per_frame;
   world.step = world.input.frame_duration / world.steps_per_frame;
   world.pressures = triangle_pressures(world.input.cloths);
   world.pins = build_pins(world.input.cloths);

@@ -34,6 +34,14 @@ struct World {
   std::vector<FreePiece> free_pieces;
 };
 
+// The steps that a frame of `input` is cut into: equal ones, in every frame as many, each no longer than the
+// input, the model and the thinnest cloth's contact allow. Throws SimulationError as longest_model_step does.
+struct StepChoice {
+  int per_frame;
+  double longest_for_model;  // seconds: the model's stable or accurate step
+};
+StepChoice choose_steps(const SimulationInput& input);
+
 World build_world(SimulationInput input);
 State initial_state(const World& world);
 

@@ -48,8 +48,8 @@ TEST_F(Resume, DoesNothingWhereAllIsDone) {
 TEST_F(Resume, NeverMixesFramesOfTwoSettings) {
   simulate("out", 5);
   const auto before = manifest("out").frames.at(5).state_hash;
-  const Finished other = run_drape(
-      {"simulate", scene, "-o", (folder / "out").string(), "-D", "time.frames=1-5", "-D", "time.step=0.2 ms"});
+  const Finished other = run_drape({"simulate", scene, "-o", (folder / "out").string(), "-D",
+                                    "time.frames=1-5", "-D", "time.step=0.2 ms"});
   EXPECT_EQ(other.exit_status, 0);
   EXPECT_EQ(other.err.find("goes on"), std::string::npos);
   EXPECT_NE(manifest("out").frames.at(5).state_hash, before);

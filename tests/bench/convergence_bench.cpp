@@ -1,6 +1,7 @@
-// Does the shape at rest depend on the mesh, or on the step? A sheet of a metre that hangs from two corners, one that
-// is clamped along an edge and bends under its weight, and one over a ball: points at the same places of the cloth are
-// compared with those of the finest regular mesh, as a root mean square in percent of the side.
+// Does the shape at rest depend on the mesh, or on the step? A sheet of a metre that hangs from two corners,
+// one that is clamped along an edge and bends under its weight, and one over a ball: points at the same
+// places of the cloth are compared with those of the finest regular mesh, as a root mean square in percent of
+// the side.
 
 #include <fmt/format.h>
 
@@ -33,7 +34,8 @@ TriangleMesh sheet_mesh(const Run& run) {
   std::uniform_real_distribution<double> share(-0.3, 0.3);
   const double edge = side / (run.points - 1), rim = side / 2 - 1e-9;
   for (Vec3& x : mesh.positions)
-    if (run.irregular && std::abs(x.x()) < rim && std::abs(x.z()) < rim) x += edge * Vec3(share(engine), 0, share(engine));
+    if (run.irregular && std::abs(x.x()) < rim && std::abs(x.z()) < rim)
+      x += edge * Vec3(share(engine), 0, share(engine));
   return mesh;
 }
 
@@ -64,7 +66,8 @@ SimulationInput cantilever(const Run& run) {
   cloth.material.elastic.bend_stiffness = {1e-3, 1e-3};
   cloth.pins.resize(1);
   for (std::size_t v = 0; v < cloth.mesh.positions.size(); ++v)
-    if (cloth.mesh.positions[v].x() < -side / 2 + side / 31 + 1e-9) cloth.pins[0].vertices.push_back(static_cast<int>(v));
+    if (cloth.mesh.positions[v].x() < -side / 2 + side / 31 + 1e-9)
+      cloth.pins[0].vertices.push_back(static_cast<int>(v));
   return input;
 }
 
@@ -105,7 +108,8 @@ Vec3 place_of(const TriangleMesh& mesh, const std::vector<Vec3>& x, const Vec3& 
   for (const auto& [a, b, c] : mesh.triangles) {
     const Vec3 ab = mesh.positions[b] - mesh.positions[a], ac = mesh.positions[c] - mesh.positions[a];
     const Vec3 way = rest - mesh.positions[a];
-    const double area = ab.cross(ac).y(), share_b = way.cross(ac).y() / area, share_c = ab.cross(way).y() / area;
+    const double area = ab.cross(ac).y(), share_b = way.cross(ac).y() / area,
+                 share_c = ab.cross(way).y() / area;
     const double inside = std::min({1 - share_b - share_c, share_b, share_c});
     if (inside <= best) continue;
     best = inside;
@@ -145,14 +149,15 @@ void print_row(const std::string& test, const Run& run, const std::vector<Vec3>&
                const std::vector<Vec3>& reference) {
   fmt::print("| {} | {}² {} | {:.0f} ms | {:.4f} m | {:.2f} % | {:.2f} % |\n", test, run.points,
              run.irregular ? "irregular" : "regular", 1000 * run.step, lowest(shape),
-             100 * rms_difference(shape, reference) / side, 100 * std::abs(lowest(shape) - lowest(reference)) / side);
+             100 * rms_difference(shape, reference) / side,
+             100 * std::abs(lowest(shape) - lowest(reference)) / side);
   std::fflush(stdout);
 }
 
 // The finest first: what the others are compared with.
 void compare(const std::string& test, SimulationInput (*make)(const Run&), double seconds, int finest) {
-  const std::array<Run, 6> runs = {Run{finest, false, 0.002},      Run{finest / 2, false, 0.002},
-                                   Run{finest / 4, false, 0.002},  Run{finest / 2, true, 0.002},
+  const std::array<Run, 6> runs = {Run{finest, false, 0.002},     Run{finest / 2, false, 0.002},
+                                   Run{finest / 4, false, 0.002}, Run{finest / 2, true, 0.002},
                                    Run{finest / 4, false, 0.001}, Run{finest / 4, false, 0.005}};
   std::vector<Vec3> reference;
   for (const Run& run : runs) {
@@ -167,7 +172,8 @@ void compare(const std::string& test, SimulationInput (*make)(const Run&), doubl
 
 int main() {
   using namespace drape;
-  fmt::print("{}\n\n| test | points | step | lowest point | shape against the finest | lowest against it |\n", bench::machine_name());
+  fmt::print("{}\n\n| test | points | step | lowest point | shape against the finest | lowest against it |\n",
+             bench::machine_name());
   fmt::print("|---|---|---|---|---|---|\n");
   compare("hang", hang, 1.5, 128);
   compare("cantilever", cantilever, 2.5, 128);

@@ -340,8 +340,7 @@ double relative_strain(int cells, bool irregular, int along, int times) {
   const Sheet sheet = sheet_of(mesh.mesh, strip_material(), along == 0 ? Vec3(0, 0, 1) : Vec3(1, 0, 0));
   constexpr double force = 1, width = 0.1;
   const int parts = times * static_cast<int>(std::ceil(step / longest_elastic_step(sheet)));
-  return strain_under(mesh, sheet, force, parts) * width *
-         strip_material().stretch_stiffness[along] / force;
+  return strain_under(mesh, sheet, force, parts) * width * strip_material().stretch_stiffness[along] / force;
 }
 
 TEST(ElasticModel, InFineSubstepsAPulledStripStretchesByTheForceOverStiffnessAndWidth) {

@@ -106,7 +106,8 @@ TEST(MassSpringStep, DampingSetsTheRateAtWhichARateDiesOut) {
   EXPECT_NEAR(rate() / before, std::exp(-decay * 500 * step), 1e-5);
 }
 
-// Kelvin-Voigt's damping times stiffness where that is little, and else a twentieth of critical damping, 2 sqrt(k / w).
+// Kelvin-Voigt's damping times stiffness where that is little, and else a twentieth of critical damping, 2
+// sqrt(k / w).
 TEST(MassSpringStep, DampingIsTheMaterialsUpToATwentiethOfCritical) {
   const auto spring_of = [](double damping) {
     const SpringCloth cloth(test::equilateral_pair(1, 0), spring_material(10, 0, damping));

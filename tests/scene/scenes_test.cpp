@@ -20,7 +20,8 @@ static std::vector<std::string> scenes() {
   std::vector<std::string> names;
   for (const fs::path folder : {".", "paper"})
     for (const auto& entry : fs::directory_iterator(scenes_folder() / folder))
-      if (entry.path().extension() == ".yaml") names.push_back((folder / entry.path().stem()).lexically_normal());
+      if (entry.path().extension() == ".yaml")
+        names.push_back((folder / entry.path().stem()).lexically_normal());
   return names;
 }
 
@@ -32,12 +33,11 @@ TEST_P(Scene, Loads) {
     EXPECT_TRUE(check_manifold(cloth.input.mesh).empty()) << cloth.input.name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Scene, testing::ValuesIn(scenes()),
-                         [](const auto& instance) {
-                           std::string name = instance.param;
-                           std::replace(name.begin(), name.end(), '/', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Scenes, Scene, testing::ValuesIn(scenes()), [](const auto& instance) {
+  std::string name = instance.param;
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+});
 
 TEST(Scenes, SphereDrapeHasItsTriangles) {
   const auto scene = load_scene(scenes_folder() / "sphere_drape.yaml");

@@ -32,12 +32,14 @@ TEST(FreeFlight, TheCentreOfMassFallsToRounding) {
   remove_air(input);
   Simulation simulation(input);
   advance(simulation, 30);
-  const double steps = 30 * simulation.steps_per_frame(), h = input.frame_duration / simulation.steps_per_frame();
+  const double steps = 30 * simulation.steps_per_frame(),
+               h = input.frame_duration / simulation.steps_per_frame();
   const double mass = linear_momentum(simulation).y() / (-9.81 * steps * h);
   EXPECT_NEAR(mass, 0.2, 1e-12);
   double centre = 0;
   const std::vector<double> masses = point_masses(simulation);
-  for (std::size_t v = 0; v < masses.size(); ++v) centre += masses[v] * simulation.state().positions[v].y() / mass;
+  for (std::size_t v = 0; v < masses.size(); ++v)
+    centre += masses[v] * simulation.state().positions[v].y() / mass;
   EXPECT_NEAR(centre, -9.81 * h * h * steps * (steps + 1) / 2, 1e-12);
 }
 
@@ -71,7 +73,8 @@ TEST(FreeFlight, KeepsAngularMomentumForTenSeconds) {
   EXPECT_LT((angular_momentum(simulation) - before).norm(), 1e-9 * before.norm());
 }
 
-// All its energy is of motion at the start; what stretch and bending hold in between they give back, but no more.
+// All its energy is of motion at the start; what stretch and bending hold in between they give back, but no
+// more.
 TEST(FreeFlight, GainsNoEnergyInAMinuteWhateverTheStep) {
   for (const double step : {0.001, 0.002, 0.005}) {
     Simulation simulation = tumbling_sheet(8, step);
