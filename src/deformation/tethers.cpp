@@ -8,6 +8,7 @@
 #include <queue>
 
 #include "core/parallel.h"
+#include "deformation/convex_pieces.h"
 #include "deformation/membrane_material.h"
 
 namespace drape {
@@ -76,42 +77,6 @@ Reach reach_of(const EdgeGraph& graph, const std::vector<int>& group) {
   return reach;
 }
 
-// Pieces that lie in a plane within a convex outline: there the shortest way is straight. Boundary edges run
-// counter-clockwise as their triangles do, so that in a convex piece every point is on the left of each.
-std::vector<char> convex_pieces(const Sheet& sheet, const std::vector<int>& piece_of) {
-  const std::vector<Vec3>& x = sheet.rest_positions;
-  const int count = piece_of.empty() ? 0 : *std::max_element(piece_of.begin(), piece_of.end()) + 1;
-  std::vector<char> convex(static_cast<std::size_t>(count), 1);
-  std::vector<int> some_triangle(static_cast<std::size_t>(count), -1);
-  for (int t = 0; t < static_cast<int>(sheet.triangles.size()); ++t)
-    some_triangle[piece_of[sheet.triangles[t][0]]] = t;
-  std::vector<std::vector<std::pair<int, int>>> boundary(static_cast<std::size_t>(count));
-  for (int t = 0; t < static_cast<int>(sheet.triangles.size()); ++t)
-    for (int k = 0; k < 3; ++k)
-      if (opposite_vertex(sheet.topology, sheet.triangles, t, k) < 0)
-        boundary[piece_of[sheet.triangles[t][0]]].push_back(
-            {sheet.triangles[t][k], sheet.triangles[t][(k + 1) % 3]});
-  for (std::size_t piece = 0; piece < convex.size(); ++piece) {
-    if (some_triangle[piece] < 0) continue;
-    const auto& [a, b, c] = sheet.triangles[some_triangle[piece]];
-    const Vec3 normal = (x[b] - x[a]).cross(x[c] - x[a]).normalized();
-    double size = 0;
-    for (const auto& [from, to] : boundary[piece]) size = std::max(size, (x[from] - x[a]).norm());
-    const double tolerance = 1e-6 * size;
-    for (std::size_t v = 0; v < x.size() && convex[piece]; ++v)
-      if (piece_of[v] == static_cast<int>(piece) && std::abs(normal.dot(x[v] - x[a])) > tolerance)
-        convex[piece] = 0;
-    if (boundary[piece].empty()) convex[piece] = 0;
-    for (const auto& [from, to] : boundary[piece]) {
-      const Vec3 inward = normal.cross((x[to] - x[from]).normalized());
-      for (const auto& [other, unused] : boundary[piece])
-        if (convex[piece] && inward.dot(x[other] - x[from]) < -tolerance) convex[piece] = 0;
-      if (!convex[piece]) break;
-    }
-  }
-  return convex;
-}
-
 // How far the material stretches between a pin and a point at `distance`, where `weight` hangs on the pin: at
 // r the tension is weight over the front, a quarter circle of radius r that is no longer than the piece is
 // wide, summed up from an edge's length on. (Along warp or weft that is the stretch stiffness, on the bias
@@ -153,39 +118,80 @@ double stiffness_along(const Sheet& sheet, int triangle, const std::optional<Vec
 
 }  // namespace
 
-TetherStage build_tethers(const Sheet& sheet, const std::vector<double>& masses,
-                          const std::vector<char>& pinned, double gravity) {
-  const std::vector<Vec3>& x = sheet.rest_positions;
-  const EdgeGraph graph = edge_graph(sheet);
-  const std::vector<int> piece_of = connected_pieces(static_cast<int>(x.size()), sheet.triangles);
-  const std::vector<char> convex = convex_pieces(sheet, piece_of);
-  std::vector<double> weights(convex.size(), 0.0);
-  for (std::size_t v = 0; v < x.size(); ++v) weights[piece_of[v]] += gravity * masses[v];
-  const std::vector<double> areas = piece_areas(sheet, piece_of, weights.size());
-  std::vector<std::vector<Tether>> of_vertex(x.size());
+namespace {
+
+// What the lengths of tethers are made from, besides the way.
+struct TetherSlack {
+  const Sheet& sheet;
+  const EdgeGraph& graph;
+  std::vector<int> piece_of;
+  std::vector<char> convex;
+  std::vector<double> weights, areas;  // of each piece, in N and m2
+};
+
+TetherSlack tether_slack(const Sheet& sheet, const EdgeGraph& graph, const std::vector<double>& masses,
+                         double gravity) {
+  TetherSlack result{sheet, graph, connected_pieces(static_cast<int>(masses.size()), sheet.triangles),
+                     {},    {},    {}};
+  result.convex = convex_pieces(sheet, result.piece_of);
+  result.weights.resize(result.convex.size(), 0.0);
+  for (std::size_t v = 0; v < masses.size(); ++v) result.weights[result.piece_of[v]] += gravity * masses[v];
+  result.areas = piece_areas(sheet, result.piece_of, result.weights.size());
+  return result;
+}
+
+// `width` of the fronts between the pin's group and the vertex; `way` along edges.
+Tether tether_of(const TetherSlack& by, int vertex, int pin, double way, double width) {
+  const std::vector<Vec3>& x = by.sheet.rest_positions;
+  const int piece = by.piece_of[vertex];
+  std::optional<Vec3> direction;
+  if (by.convex[piece]) {
+    way = (x[vertex] - x[pin]).norm();
+    direction = (x[vertex] - x[pin]) / way;
+  }
+  const Topology& topology = by.sheet.topology;
+  const int triangle = topology.vertex_triangles[topology.vertex_triangle_begin[vertex]];
+  const double edge_length = by.graph.neighbours[vertex].front().second;
+  const double stiffness = stiffness_along(by.sheet, triangle, direction);
+  return {vertex, pin,
+          static_cast<float>(way + slack(by.weights[piece], stiffness, edge_length, way, width))};
+}
+
+// The nearest group's pin for each vertex, and the width of its fronts: one tether a vertex, since two would
+// fight where their pins are drawn apart.
+struct NearestPins {
+  std::vector<double> ways, widths;
+  std::vector<int> pins;
+};
+
+NearestPins nearest_pins(const EdgeGraph& graph, const std::vector<char>& pinned, const TetherSlack& by) {
+  const std::size_t count = pinned.size();
+  NearestPins nearest{std::vector<double>(count, std::numeric_limits<double>::infinity()),
+                      std::vector<double>(count, 0.0), std::vector<int>(count, -1)};
   for (const std::vector<int>& group : pinned_groups(graph, pinned)) {
     const Reach reach = reach_of(graph, group);
-    const double width = mean_width(reach, areas[piece_of[group[0]]]);
-    for (int v = 0; v < static_cast<int>(x.size()); ++v) {
-      const int pin = reach.source[v];
-      if (pin < 0 || pinned[v]) continue;
-      const int piece = piece_of[v];
-      const double way = convex[piece] ? (x[v] - x[pin]).norm() : reach.distance[v];
-      const double edge_length = graph.neighbours[v].front().second;
-      const std::optional<Vec3> direction =
-          convex[piece] ? std::optional<Vec3>((x[v] - x[pin]) / way) : std::nullopt;
-      const double stiffness = stiffness_along(
-          sheet, sheet.topology.vertex_triangles[sheet.topology.vertex_triangle_begin[v]], direction);
-      of_vertex[v].push_back(
-          {v, pin, static_cast<float>(way + slack(weights[piece], stiffness, edge_length, way, width))});
+    const double width = mean_width(reach, by.areas[by.piece_of[group[0]]]);
+    for (std::size_t v = 0; v < count; ++v) {
+      if (!(reach.distance[v] < nearest.ways[v])) continue;
+      nearest.ways[v] = reach.distance[v];
+      nearest.widths[v] = width;
+      nearest.pins[v] = reach.source[v];
     }
   }
-  TetherStage stage{{}, {0}};
-  for (const std::vector<Tether>& tethers : of_vertex) {
-    if (tethers.empty()) continue;
-    stage.tethers.insert(stage.tethers.end(), tethers.begin(), tethers.end());
-    stage.vertex_begin.push_back(stage.tethers.size());
-  }
+  return nearest;
+}
+
+}  // namespace
+
+TetherStage build_tethers(const Sheet& sheet, const std::vector<double>& masses,
+                          const std::vector<char>& pinned, double gravity) {
+  const EdgeGraph graph = edge_graph(sheet);
+  const TetherSlack by = tether_slack(sheet, graph, masses, gravity);
+  const NearestPins nearest = nearest_pins(graph, pinned, by);
+  TetherStage stage;
+  for (int v = 0; v < static_cast<int>(pinned.size()); ++v)
+    if (nearest.pins[v] >= 0 && !pinned[v])
+      stage.tethers.push_back(tether_of(by, v, nearest.pins[v], nearest.ways[v], nearest.widths[v]));
   return stage;
 }
 
@@ -212,10 +218,8 @@ static void pull_tether(const Tether& tether, const Point4& base, std::vector<Po
 }
 
 void pull_tethers(const TetherStage& stage, const std::vector<Point4>& base, std::vector<Point4>& offsets) {
-  parallel_for_each(stage.vertex_begin.size() - 1, 2048, [&](std::size_t i) {
-    for (std::size_t t = stage.vertex_begin[i]; t < stage.vertex_begin[i + 1]; ++t)
-      pull_tether(stage.tethers[t], base[t], offsets);
-  });
+  parallel_for_each(stage.tethers.size(), 2048,
+                    [&](std::size_t i) { pull_tether(stage.tethers[i], base[i], offsets); });
 }
 
 }  // namespace drape

@@ -17,11 +17,10 @@ struct Tether {
   float length;  // m
 };
 struct TetherStage {
-  std::vector<Tether> tethers;            // by vertex
-  std::vector<std::size_t> vertex_begin;  // tethers of the i-th vertex that has any
+  std::vector<Tether> tethers;  // one a vertex at most
 };
 
-// From each vertex to one pinned vertex of each group of pinned neighbours. `gravity` in m/s2.
+// From each vertex to one vertex of the nearest group of pinned neighbours. `gravity` in m/s2.
 TetherStage build_tethers(const Sheet& sheet, const std::vector<double>& masses,
                           const std::vector<char>& pinned, double gravity);
 

@@ -70,7 +70,7 @@ std::size_t ShapeMatchingRun::model_bytes() const {
          bytes_of(bending.dampings, bending.rest) + bytes(membrane.order) +
          bytes_of(membrane.corners, membrane.shapes, membrane.stresses, membrane.dampings) +
          bytes_of(fibres.vertices, fibres.row_begin, fibres.rest_lengths, fibres.compliances) +
-         bytes_of(fibres.longest, fibres.color_begin, tethers.tethers, tethers.vertex_begin, inverse_masses);
+         bytes_of(fibres.longest, fibres.color_begin, tethers.tethers, inverse_masses);
 }
 
 std::size_t ShapeMatchingRun::scratch_bytes() const {

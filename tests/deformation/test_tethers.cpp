@@ -49,21 +49,14 @@ TEST(Tethers, NoPointEndsFartherThanItsTether) {
   EXPECT_LT(farthest_beyond(stage, pulled(stage, sheet.rest_positions, ways)), 1e-6);
 }
 
-// One pull takes a point to its last tether; between pins that are far apart it takes several to be within
-// all.
-TEST(Tethers, PullsBetweenSeveralPinsCloseInOnAllTethers) {
-  Random random(2);
+// Of several groups only the nearest: so pins that are drawn apart do not fight over a point.
+TEST(Tethers, PinsDrawnApartLeaveNoPointBeyondItsTether) {
   const Sheet sheet = sheet_of(make_grid({1, 1}, {9, 9}));
   const TetherStage stage = tethers_of(sheet, {0, 8, 72}, gravity);
-  std::vector<Vec3> x = test::shaken(sheet.rest_positions, 0.3, random);
-  for (const int pin : {0, 8, 72}) x[pin] = sheet.rest_positions[pin];
-  double before = farthest_beyond(stage, x);
-  ASSERT_GT(before, 0.2);
-  for (int pull = 0; pull < 5; ++pull) {
-    x = pulled(stage, x, test::zeros(81));
-    EXPECT_LT(farthest_beyond(stage, x), before);
-    before = farthest_beyond(stage, x);
-  }
+  std::vector<Vec3> x = sheet.rest_positions;
+  for (const int pin : {0, 8, 72}) x[pin] *= 1.5;
+  ASSERT_GT(farthest_beyond(stage, x), 0.1);
+  EXPECT_LT(farthest_beyond(stage, pulled(stage, x, test::zeros(81))), 1e-6);
 }
 
 TEST(Tethers, PointsWithinTheirTethersAndPinsStay) {
@@ -74,11 +67,11 @@ TEST(Tethers, PointsWithinTheirTethersAndPinsStay) {
   for (const Tether& tether : stage.tethers) EXPECT_TRUE(tether.vertex != 0 && tether.vertex != 8);
 }
 
-TEST(Tethers, EachPointHasOneToTheNearestOfEachGroupOfPins) {
+TEST(Tethers, EachPointHasOneToTheNearestPinOfTheNearestGroup) {
   const Sheet sheet = sheet_of(make_grid({1, 1}, {9, 9}));
   const TetherStage stage = tethers_of(sheet, {0, 1, 2, 80}, gravity);
-  EXPECT_EQ(stage.tethers.size(), 2u * 77u);
-  EXPECT_EQ(stage.vertex_begin.size(), 78u);
+  EXPECT_EQ(stage.tethers.size(), 77u);
+  EXPECT_EQ(tether_of(stage, 79).pin, 80);
   EXPECT_EQ(tether_of(stage, 4).pin, 2);
   EXPECT_EQ(tether_of(stage, 9).pin, 0);
 }
