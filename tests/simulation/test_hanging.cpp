@@ -28,12 +28,26 @@ TEST(Hanging, ASheetPinnedAlongItsTopComesToRestWithinOnePercent) {
   EXPECT_LT(statistics.largest_speed, 0.01);
 }
 
+FrameStatistics hung_from_two_corners(int points, double seconds) {
+  SimulationInput input = hanging_sheet(points, [&](int column, int row) {
+    return row == points - 1 && (column == 0 || column == points - 1);
+  });
+  input.frame_duration = input.largest_step = 0.005;
+  Simulation simulation(input);
+  return advance(simulation, static_cast<int>(seconds / 0.005));
+}
+
 TEST(Hanging, ASheetPinnedAtTwoCornersComesToRestAndHardlyStretches) {
-  Simulation simulation(
-      hanging_sheet(32, [](int column, int row) { return row == 31 && (column == 0 || column == 31); }));
-  const FrameStatistics statistics = advance(simulation, 150);
-  EXPECT_LT(statistics.p99_stretch, 1.01);
+  const FrameStatistics statistics = hung_from_two_corners(32, 5);
+  EXPECT_LT(statistics.p99_stretch, 1.002);
+  EXPECT_LT(statistics.largest_stretch, 1.01);
   EXPECT_LT(statistics.largest_speed, 0.01);
+}
+
+TEST(Hanging, AFineSheetStretchesHardlyMore) {
+  const FrameStatistics statistics = hung_from_two_corners(128, 0.4);
+  EXPECT_LT(statistics.p99_stretch, 1.003);
+  EXPECT_LT(statistics.largest_stretch, 1.02);
 }
 
 TEST(Hanging, PinnedPointsStayWhereTheyAreToTheBit) {
