@@ -126,9 +126,10 @@ constexpr std::size_t points_a_block = 4096;
 
 void load_vectors(const ElasticModel& model, const std::vector<Vec3>& vectors, std::vector<Point4>& points) {
   points = model.inverse_masses;
-  for (std::size_t v = 0; v < vectors.size(); ++v)
+  parallel_for_each(vectors.size(), points_a_block, [&](std::size_t v) {
     points[v] = {static_cast<float>(vectors[v].x()), static_cast<float>(vectors[v].y()),
                  static_cast<float>(vectors[v].z()), points[v].w};
+  });
 }
 
 // Velocities after viscosity, once a step. Membrane frames are those where the step starts.
@@ -152,14 +153,14 @@ Vec3 as_vec3(const Point4& point) { return Vec3(point.x, point.y, point.z); }
 
 void unload(const ElasticModel& model, const std::vector<Vec3>& start, const ElasticScratch& scratch,
             std::vector<Vec3>& positions, std::vector<Vec3>& velocities) {
-  for (std::size_t v = 0; v < start.size(); ++v) {
+  parallel_for_each(start.size(), points_a_block, [&](std::size_t v) {
     if (model.inverse_masses[v].w > 0) {
       positions[v] = start[v] + as_vec3(scratch.offsets[v]);
       velocities[v] = as_vec3(scratch.velocities[v]);
     } else {
       velocities[v] = (positions[v] - start[v]) / model.step;
     }
-  }
+  });
 }
 
 }  // namespace
