@@ -34,19 +34,21 @@ class BoxTree {
   int item(std::size_t place) const { return order_[place]; }
   const BoundingBox& box(int item) const { return boxes_[item]; }
 
-  // Calls visit(place) for the boxes that overlap `box`, from `first_place` on.
+  // Calls visit(place) for the boxes that overlap `box`.
   template <typename Visit>
-  void find_overlapping(const BoundingBox& box, std::size_t first_place, const Visit& visit) const {
+  void find_overlapping(const BoundingBox& box, const Visit& visit) const {
     descend(
-        0, 0, order_.size(), first_place, [&](const BoundingBox& b) { return boxes_overlap(b, box); }, visit);
+        0, 0, order_.size(), 0, [&](const BoundingBox& b) { return boxes_overlap(b, box); }, visit);
   }
 
-  // Calls visit(place) for the boxes that may be nearer to `box` than `squared_bound()`, which may shrink
+  // Calls visit(place) for the boxes that are no farther from `box` than `squared_bound()`, which may shrink
   // from call to call, from `first_place` on.
   template <typename Bound, typename Visit>
   void find_near(const BoundingBox& box, std::size_t first_place, const Bound& squared_bound,
                  const Visit& visit) const {
-    const auto is_near = [&](const BoundingBox& b) { return squared_box_distance(b, box) < squared_bound(); };
+    const auto is_near = [&](const BoundingBox& b) {
+      return squared_box_distance(b, box) <= squared_bound();
+    };
     descend(0, 0, order_.size(), first_place, is_near, visit);
   }
 

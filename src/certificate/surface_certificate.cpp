@@ -11,6 +11,7 @@ namespace drape {
 namespace {
 
 constexpr std::size_t triangles_in_a_block = 512;
+constexpr std::size_t triangles_to_a_sample = 16;
 
 TrianglePoints points_of(const std::vector<Vec3>& positions, const Triangle& t) {
   return {positions[t[0]], positions[t[1]], positions[t[2]]};
@@ -59,79 +60,73 @@ Triangle shared_first(const Triangle& t, const Triangle& s) {
   return result;
 }
 
-bool meet(const PlacedTriangles& placed, int first, int second) {
-  const Triangle &s = placed.triangles[first], &t = placed.triangles[second];
-  const int shared = shared_corners(s, t);
+bool meet(const PlacedTriangles& placed, const TrianglePair& pair, int shared) {
   if (shared == 3) return true;
-  const TrianglePoints a = points_of(placed.positions, shared_first(s, t));
-  const TrianglePoints b = points_of(placed.positions, shared_first(t, shared_first(s, t)));
+  const Triangle s = shared_first(placed.triangles[pair.first], placed.triangles[pair.second]);
+  const Triangle t = shared_first(placed.triangles[pair.second], s);
+  const TrianglePoints a = points_of(placed.positions, s), b = points_of(placed.positions, t);
   if (shared == 2) return meet_beyond_edge(a, b);
   return shared == 1 ? meet_beyond_vertex(a, b) : triangles_meet(a, b);
 }
 
-std::vector<TrianglePair> find_intersecting(const PlacedTriangles& placed) {
-  std::vector<TrianglePair> pairs;
-  parallel_collect(placed.tree.size(), triangles_in_a_block, pairs,
-                   [&](std::size_t begin, std::size_t end, std::vector<TrianglePair>& found) {
-                     for (std::size_t i = begin; i < end; ++i)
-                       placed.tree.find_overlapping(placed.box_at(i), i + 1, [&](std::size_t k) {
-                         const TrianglePair pair = std::minmax(placed.number_at(i), placed.number_at(k));
-                         if (meet(placed, pair.first, pair.second)) found.push_back(pair);
-                       });
-                   });
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
+struct Findings {
+  std::vector<TrianglePair> intersecting;
+  Gap smallest_gap;
+};
 
-// Makes `gap` smaller where the triangle in place i comes nearer than that to one that comes after it.
-void narrow(const PlacedTriangles& placed, std::size_t i, Gap& gap) {
-  const int number = placed.number_at(i);
-  const TrianglePoints points = placed.points(number);
+// Compares the triangle in place i with those that come after it, as far as they are no farther than the
+// smallest gap so far: what meets is at no distance.
+void examine(const PlacedTriangles& placed, std::size_t i, Findings& findings) {
+  Gap& gap = findings.smallest_gap;
+  const auto judge = [&](std::size_t k) {
+    const TrianglePair pair = std::minmax(placed.number_at(i), placed.number_at(k));
+    const int shared = shared_corners(placed.triangles[pair.first], placed.triangles[pair.second]);
+    const bool meets = boxes_overlap(placed.box_at(i), placed.box_at(k)) && meet(placed, pair, shared);
+    if (meets) findings.intersecting.push_back(pair);
+    if (shared > 0) return;
+    const double distance =
+        meets ? 0 : triangle_distance(placed.points(pair.first), placed.points(pair.second));
+    if (distance < gap.distance) gap = {distance, pair};
+  };
   placed.tree.find_near(
-      placed.box_at(i), i + 1, [&] { return gap.distance * gap.distance; },
-      [&](std::size_t k) {
-        const int other = placed.number_at(k);
-        if (shared_corners(placed.triangles[number], placed.triangles[other]) > 0) return;
-        const double distance = triangle_distance(points, placed.points(other));
-        if (distance < gap.distance) gap = {distance, std::minmax(number, other)};
-      });
+      placed.box_at(i), i + 1, [&] { return gap.distance * gap.distance; }, judge);
 }
 
-// Of triangles that do not meet.
-Gap find_smallest_gap(const PlacedTriangles& placed) {
-  const std::size_t blocks = (placed.tree.size() + triangles_in_a_block - 1) / triangles_in_a_block;
-  std::vector<Gap> gaps(blocks);
-  parallel_blocks(placed.tree.size(), triangles_in_a_block,
-                  [&](std::size_t begin, std::size_t end, std::size_t block) {
-                    for (std::size_t i = begin; i < end; ++i) narrow(placed, i, gaps[block]);
-                  });
-  Gap smallest;
-  for (const Gap& gap : gaps)
-    if (gap.distance < smallest.distance) smallest = gap;
-  return smallest;
+// The gap of a few triangles: with it in hand, the search round all others is short.
+Gap sample_gap(const PlacedTriangles& placed) {
+  Findings findings;
+  for (std::size_t i = 0; i < placed.tree.size(); i += triangles_to_a_sample) examine(placed, i, findings);
+  return findings.smallest_gap;
+}
+
+Findings examine_all(const PlacedTriangles& placed) {
+  const std::size_t count = placed.tree.size();
+  Findings all{{}, sample_gap(placed)};
+  std::vector<Findings> parts((count + triangles_in_a_block - 1) / triangles_in_a_block, all);
+  parallel_blocks(count, triangles_in_a_block, [&](std::size_t begin, std::size_t end, std::size_t block) {
+    for (std::size_t i = begin; i < end; ++i) examine(placed, i, parts[block]);
+  });
+  for (const Findings& part : parts) {
+    all.intersecting.insert(all.intersecting.end(), part.intersecting.begin(), part.intersecting.end());
+    if (part.smallest_gap.distance < all.smallest_gap.distance) all.smallest_gap = part.smallest_gap;
+  }
+  std::sort(all.intersecting.begin(), all.intersecting.end());
+  return all;
 }
 
 }  // namespace
 
-std::vector<TrianglePair> intersecting_triangles(const std::vector<Vec3>& positions,
-                                                 const std::vector<Triangle>& triangles) {
-  return find_intersecting(place(positions, triangles));
-}
-
 SurfaceCertificate certify_surface(const std::vector<Vec3>& positions,
                                    const std::vector<Triangle>& triangles) {
-  const PlacedTriangles placed = place(positions, triangles);
-  SurfaceCertificate certificate;
-  certificate.is_finite =
+  Findings findings = examine_all(place(positions, triangles));
+  const bool is_finite =
       std::all_of(positions.begin(), positions.end(), [](const Vec3& p) { return p.allFinite(); });
-  certificate.intersecting = find_intersecting(placed);
-  const auto apart = [&](const TrianglePair& pair) {
-    return shared_corners(triangles[pair.first], triangles[pair.second]) == 0;
-  };
-  const auto& pairs = certificate.intersecting;
-  const auto first = std::find_if(pairs.begin(), pairs.end(), apart);
-  certificate.smallest_gap = first != pairs.end() ? Gap{0, *first} : find_smallest_gap(placed);
-  return certificate;
+  return {is_finite, std::move(findings.intersecting), findings.smallest_gap};
+}
+
+std::vector<TrianglePair> intersecting_triangles(const std::vector<Vec3>& positions,
+                                                 const std::vector<Triangle>& triangles) {
+  return certify_surface(positions, triangles).intersecting;
 }
 
 StretchRange edge_stretch(const std::vector<Vec3>& rest_positions, const std::vector<Vec3>& positions,
@@ -160,7 +155,7 @@ std::vector<int> triangles_that_meet(const std::vector<Vec3>& positions,
                      for (std::size_t i = begin; i < end; ++i) {
                        const TrianglePoints points = placed.points(placed.number_at(i));
                        bool meets = false;
-                       other.tree.find_overlapping(placed.box_at(i), 0, [&](std::size_t k) {
+                       other.tree.find_overlapping(placed.box_at(i), [&](std::size_t k) {
                          meets = meets || triangles_meet(points, other.points(other.number_at(k)));
                        });
                        if (meets) in_block.push_back(placed.number_at(i));

@@ -29,7 +29,7 @@ TEST(BoxTree, FindsTheOverlappingBoxesEachOnce) {
       std::multiset<int> expected, found;
       for (int i = 0; i < count; ++i)
         if (boxes_overlap(boxes[i], wanted)) expected.insert(i);
-      tree.find_overlapping(wanted, 0, [&](std::size_t place) { found.insert(tree.item(place)); });
+      tree.find_overlapping(wanted, [&](std::size_t place) { found.insert(tree.item(place)); });
       EXPECT_EQ(found, expected);
     }
   }
@@ -39,10 +39,12 @@ TEST(BoxTree, FindsFromAPlaceOnOnlyWhatComesAfterIt) {
   const BoxTree tree(random_boxes(100));
   std::size_t found = 0;
   const BoundingBox all{Vec3::Constant(-9), Vec3::Constant(9)};
-  tree.find_overlapping(all, 37, [&](std::size_t place) {
-    EXPECT_GE(place, 37u);
-    ++found;
-  });
+  tree.find_near(
+      all, 37, [] { return 0.0; },
+      [&](std::size_t place) {
+        EXPECT_GE(place, 37u);
+        ++found;
+      });
   EXPECT_EQ(found, 63u);
 }
 
