@@ -84,6 +84,25 @@ TEST(Orientation, InAPlaneTellsTheSideOfALine) {
   EXPECT_EQ(orientation_without(0, a, b, {9, 1, std::nextafter(third, 0)}), -1);
 }
 
+// Corners of a long triangle, nearly on one line.
+TEST(Orientation, InAPlaneIsTheSignOfTheDeterminantOfWholeNumbersOf52Bits) {
+  WholeRandom random(3);
+  const Whole above{0, 0, 1};
+  int zeros = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    Whole a = random.point(1LL << 48), b = random.point(1LL << 48);
+    const long long s = random.number(7);
+    Whole c;
+    for (int k = 0; k < 3; ++k) c[k] = a[k] + s * (b[k] - a[k]);
+    c[trial % 2] += random.number(1);
+    a[2] = b[2] = c[2] = 0;
+    const int wanted = -sign(determinant(a, b, c, above));
+    zeros += wanted == 0;
+    ASSERT_EQ(orientation_without(2, to_vector(a), to_vector(b), to_vector(c)), wanted) << "trial " << trial;
+  }
+  EXPECT_GT(zeros, 1000);
+}
+
 TEST(Orientation, ProjectsAlongAnAxisThatLeavesATriangle) {
   EXPECT_EQ(projection_axis({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), 2);
   EXPECT_EQ(projection_axis({0, 0, 0}, {0, 1, 0}, {0, 0, 1}), 0);
