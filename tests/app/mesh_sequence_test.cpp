@@ -88,6 +88,8 @@ TEST_F(MeshSequenceFiles, AreRefusedWhereTheirFacesDiffer) {
   const std::string other = complaint("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 3 2\n");
   EXPECT_NE(other.find("the corners of its faces are not those of " + path("a.obj")), std::string::npos)
       << other;
+  const std::string lonely = complaint(triangle + "v 5 5 5\n");
+  EXPECT_NE(lonely.find("has 4 points and 1 faces, but "), std::string::npos) << lonely;
   EXPECT_EQ(complaint(triangle), "");
 }
 
