@@ -224,7 +224,7 @@ static void add_verify(Subcommands& commands, Options& options) {
   add_frames(command, options, "Which frames: 1-100, 1-100x5, 1,5,9-12");
   command
       .add_option("--rest", options.rest_file,
-                  "The mesh that edges are unstretched in; rest.obj in the folder, or the first, by default")
+                  "The mesh whose edges are unstretched; rest.obj in the folder, or the first, by default")
       ->type_name("FILE");
   command.add_flag("--json", options.as_json, "One JSON object in place of the table");
   add_threads(command, options);

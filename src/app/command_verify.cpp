@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <utility>
@@ -140,8 +141,16 @@ static std::vector<FrameCertificate> certify_all(const Frames& frames, const Con
   return certificates;
 }
 
-// Names the first faces that are at fault: they are where to begin.
+static void name_lost_point(const Fault& fault, const std::string& frame, const Console& console) {
+  const auto& points = fault.surface.positions;
+  const auto lost = std::find_if(points.begin(), points.end(), [](const Vec3& p) { return !p.allFinite(); });
+  if (lost != points.end())
+    note(console, fmt::format("{}: point {} is not finite", frame, lost - points.begin() + 1));
+}
+
+// Names the first points and faces that are at fault: they are where to begin.
 static void name_faults(const Fault& fault, const std::string& frame, const Console& console) {
+  name_lost_point(fault, frame, console);
   const auto& pairs = fault.certified.intersecting;
   for (std::size_t i = 0; i < std::min<std::size_t>(pairs.size(), 3); ++i)
     note(console, fmt::format("{}: {} meets {}", frame, fault.triangle_name(pairs[i].first),

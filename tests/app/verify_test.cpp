@@ -98,6 +98,7 @@ TEST_F(Verify, FindsValuesThatAreNotFinite) {
   const Finished finished = verify();
   EXPECT_EQ(finished.exit_status, 4);
   EXPECT_TRUE(contains(finished.out, "\n2      NOT FINITE ")) << finished.out;
+  EXPECT_TRUE(contains(finished.err, "2: point 8 is not finite\n")) << finished.err;
 }
 
 TEST_F(Verify, SaysAllInOneJsonObject) {
