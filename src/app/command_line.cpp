@@ -211,6 +211,25 @@ static void add_measure(Subcommands& commands, Options& options) {
   command.add_flag("--json", options.as_json, "One JSON object in place of a line for each figure");
 }
 
+static void add_verify(Subcommands& commands, Options& options) {
+  CLI::App& command = commands.add(Command::verify, "verify",
+                                   "Certify frames: nothing meets, nothing is in a collider, all is finite",
+                                   "drape verify out/hello_drape -f 60-90\n  drape verify cloth.####.obj "
+                                   "--rest flat.obj --json -o pictures");
+  add_scenes(
+      command, options,
+      "A scene file, the folder of a run, or OBJ and PLY files of anyone's: names, a folder, or a pattern",
+      true);
+  add_scene_flags(command, options);
+  add_frames(command, options, "Which frames: 1-100, 1-100x5, 1,5,9-12");
+  command
+      .add_option("--rest", options.rest_file,
+                  "The mesh whose edges are unstretched; rest.obj in the folder, or the first, by default")
+      ->type_name("FILE");
+  command.add_flag("--json", options.as_json, "One JSON object in place of the table");
+  add_threads(command, options);
+}
+
 static void add_diff(Subcommands& commands, Options& options) {
   CLI::App& command = commands.add(Command::diff, "diff", "Compare two pictures, or two folders of pictures",
                                    "drape diff out/a/frames out/b/frames --heat out/heat");
@@ -241,6 +260,7 @@ static void add_subcommands(Subcommands& commands, Options& options) {
   add_validate_and_info(commands, options);
   add_export(commands, options);
   add_measure(commands, options);
+  add_verify(commands, options);
   add_diff(commands, options);
 }
 

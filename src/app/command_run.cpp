@@ -3,6 +3,7 @@
 #include <set>
 
 #include "app/batch.h"
+#include "app/certify_run.h"
 #include "app/commands.h"
 #include "app/encode.h"
 #include "app/exit_status.h"
@@ -23,6 +24,7 @@ static std::string make_film(const std::string& input, const std::string& output
   Run run = open_run(input, options.overrides, output);
   simulate(run, options, console);
   if (!options.statistics_file.empty()) write_statistics(options.statistics_file, run.manifest);
+  certify_run(run, options, console);
   render_frames(run, chosen_frames(run, options), options, console);
   encode(run, console);
   return run.folder.video().string();

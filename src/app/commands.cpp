@@ -55,6 +55,8 @@ int perform(const Options& options, const Console& console) {
       return export_command(options, console);
     case Command::measure:
       return measure_command(options, console);
+    case Command::verify:
+      return verify_command(options, console);
     case Command::diff:
       return diff_command(options, console);
   }

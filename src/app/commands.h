@@ -14,6 +14,7 @@ int validate_command(const Options& options, const Console& console);
 int info_command(const Options& options, const Console& console);
 int export_command(const Options& options, const Console& console);
 int measure_command(const Options& options, const Console& console);
+int verify_command(const Options& options, const Console& console);
 int diff_command(const Options& options, const Console& console);
 
 }  // namespace drape::app

@@ -52,10 +52,14 @@ PreparedScene prepare_scene(const SceneDescription& scene) {
   return prepared;
 }
 
-static render::Surface cloth_surface(const PreparedCloth& cloth, const CachedFrame& frame) {
+std::vector<Vec3f> drawn_points(const PreparedCloth& cloth, const CachedFrame& frame) {
   const auto begin = frame.positions.begin() + static_cast<std::ptrdiff_t>(cloth.first_point);
-  std::vector<Vec3f> positions(begin, begin + static_cast<std::ptrdiff_t>(cloth.point_count));
-  if (cloth.subdivision) positions = cloth.subdivision->apply(positions);
+  const std::vector<Vec3f> positions(begin, begin + static_cast<std::ptrdiff_t>(cloth.point_count));
+  return cloth.subdivision ? cloth.subdivision->apply(positions) : positions;
+}
+
+static render::Surface cloth_surface(const PreparedCloth& cloth, const CachedFrame& frame) {
+  const std::vector<Vec3f> positions = drawn_points(cloth, frame);
   render::Surface surface;
   surface.normals = gather(vertex_normals(positions, cloth.triangles), cloth.vertices.point_of);
   surface.positions = gather(positions, cloth.vertices.point_of);

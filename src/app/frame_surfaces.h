@@ -36,6 +36,9 @@ struct PreparedScene {
 };
 PreparedScene prepare_scene(const SceneDescription& scene);
 
+// The points of a cloth that is drawn, in a frame: what its triangles are indices into.
+std::vector<Vec3f> drawn_points(const PreparedCloth& cloth, const CachedFrame& frame);
+
 // The surfaces of one frame.
 std::vector<render::Surface> frame_surfaces(const PreparedScene& scene, const CachedFrame& frame);
 

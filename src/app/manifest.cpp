@@ -81,6 +81,73 @@ static FrameRecord frame_from(const Json& json) {
   return record;
 }
 
+static Json surface_json(const SurfaceFigures& figures) {
+  const auto& [intersecting_pairs, smallest_gap, collider_triangles, collider_depth] = figures;
+  return {{"intersecting_pairs", intersecting_pairs},
+          {"smallest_gap_m", smallest_gap},
+          {"collider_triangles", collider_triangles},
+          {"collider_depth_m", collider_depth}};
+}
+
+// A gap that is infinite, since no two triangles are apart, is null.
+static SurfaceFigures surface_from(const Json& json) {
+  SurfaceFigures figures{json.at("intersecting_pairs"), std::numeric_limits<double>::infinity(),
+                         json.at("collider_triangles"), json.at("collider_depth_m")};
+  if (!json.at("smallest_gap_m").is_null()) figures.smallest_gap = json.at("smallest_gap_m");
+  return figures;
+}
+
+static void add_figures(Json& json, const FrameCertificate& certificate) {
+  json["finite"] = certificate.is_finite;
+  json["smallest_stretch"] = certificate.smallest_stretch;
+  json["largest_stretch"] = certificate.largest_stretch;
+  json["simulated"] = surface_json(certificate.simulated);
+  if (certificate.drawn) json["drawn"] = surface_json(*certificate.drawn);
+}
+
+static FrameCertificate figures_from(const Json& json) {
+  FrameCertificate certificate{"",
+                               json.at("finite"),
+                               figure_from(json, "smallest_stretch", 1.0),
+                               figure_from(json, "largest_stretch", 1.0),
+                               surface_from(json.at("simulated")),
+                               std::nullopt};
+  if (json.contains("drawn")) certificate.drawn = surface_from(json.at("drawn"));
+  return certificate;
+}
+
+// A frame's number as one, a file's name as text.
+static Json name_json(const std::string& name) {
+  const bool is_number = !name.empty() && name.find_first_not_of("0123456789") == std::string::npos;
+  return is_number ? Json(std::stoi(name)) : Json(name);
+}
+
+static Json summary_json(const CertificateSummary& summary) {
+  Json json = {{"frames", summary.frames}, {"failed", summary.failed}, {"worst", nullptr}};
+  if (!summary.worst.empty()) json["worst"] = name_json(summary.worst);
+  add_figures(json, summary.extremes);
+  return json;
+}
+
+static CertificateRecord record_from(const Json& json) {
+  CertificateRecord record;
+  record.key = hash_from_hex(json.at("key"));
+  record.summary = {json.at("frames"), json.at("failed"), "", figures_from(json)};
+  if (!json.at("worst").is_null()) record.summary.worst = std::to_string(json.at("worst").get<int>());
+  return record;
+}
+
+std::string to_json(const CertificateSummary& summary, const std::vector<FrameCertificate>& frames) {
+  Json json = summary_json(summary);
+  json["each"] = Json::array();
+  for (const FrameCertificate& frame : frames) {
+    Json entry = {{"frame", name_json(frame.name)}, {"certified", is_certified(frame)}};
+    add_figures(entry, frame);
+    json["each"].push_back(entry);
+  }
+  return json.dump(1, ' ', false, Json::error_handler_t::replace);  // names of files may be no UTF-8
+}
+
 std::string to_json(const Manifest& manifest) {
   Json json = {{"program_version", manifest.program_version},
                {"build", to_hex(manifest.build)},
@@ -92,6 +159,10 @@ std::string to_json(const Manifest& manifest) {
                {"frames", Json::array()}};
   for (const auto& [name, timing] : manifest.stages) {
     json["stages"][name] = {{"wall_seconds", timing.wall_seconds}, {"cpu_seconds", timing.cpu_seconds}};
+  }
+  if (manifest.certificate) {
+    json["certificate"] = summary_json(manifest.certificate->summary);
+    json["certificate"]["key"] = to_hex(manifest.certificate->key);
   }
   for (const auto& [frame, record] : manifest.frames) json["frames"].push_back(frame_json(frame, record));
   return json.dump(1) + "\n";
@@ -109,6 +180,7 @@ Manifest manifest_from_json(const std::string& text) {
   for (const auto& [name, timing] : json.at("stages").items()) {
     manifest.stages[name] = {timing.at("wall_seconds"), timing.at("cpu_seconds")};
   }
+  if (json.contains("certificate")) manifest.certificate = record_from(json.at("certificate"));
   for (const auto& frame : json.at("frames")) manifest.frames[frame.at("frame")] = frame_from(frame);
   return manifest;
 }

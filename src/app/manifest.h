@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/certificate_report.h"
 #include "simulation/simulation.h"
 
 namespace drape::app {
@@ -15,6 +16,11 @@ struct FrameRecord {
   std::uint64_t state_hash = 0;
   FrameStatistics statistics;
   std::uint64_t picture_hash = 0;  // of the PNG file; 0 while there is none
+};
+
+struct CertificateRecord {
+  std::uint64_t key = 0;  // of what was certified, and by which program
+  CertificateSummary summary;
 };
 
 struct StageTiming {
@@ -33,10 +39,12 @@ struct Manifest {
   int threads = 0;
   std::map<int, FrameRecord> frames;
   std::map<std::string, StageTiming> stages;
+  std::optional<CertificateRecord> certificate;  // nothing while it is not made, or was made of other frames
 };
 
 // The only file pair that includes nlohmann-json.
 std::string to_json(const Manifest& manifest);
+std::string to_json(const CertificateSummary& summary, const std::vector<FrameCertificate>& frames);
 Manifest manifest_from_json(const std::string& text);  // throws std::runtime_error where it is no manifest
 
 // Nothing where there is no such file. Throws FileError where it is damaged.

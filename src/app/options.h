@@ -5,7 +5,19 @@
 
 namespace drape::app {
 
-enum class Command { run, simulate, render, encode, still, validate, info, export_geometry, measure, diff };
+enum class Command {
+  run,
+  simulate,
+  render,
+  encode,
+  still,
+  validate,
+  info,
+  export_geometry,
+  measure,
+  verify,
+  diff
+};
 enum class ProgressStyle { automatic, bar, lines, json, none };
 enum class UseColor { automatic, always, never };
 enum class GeometryFormat { obj, ply };
@@ -25,7 +37,7 @@ struct DiffOptions {
 // What was typed, as plain values.
 struct Options {
   Command command = Command::run;
-  std::vector<std::string> inputs;     // scene files, run folders; pictures for diff
+  std::vector<std::string> inputs;     // scene files, run folders; pictures for diff, meshes for verify
   std::string output;                  // empty: the default of the command
   std::vector<std::string> overrides;  // key.path=value
   std::string frames;                  // as typed ("1-100x5"); empty: all of the scene
@@ -39,7 +51,8 @@ struct Options {
   std::string statistics_file;  // empty: none
   GeometryFormat format = GeometryFormat::obj;
   bool with_colliders = false;
-  bool as_json = false;  // results for programs
+  bool as_json = false;   // results for programs
+  std::string rest_file;  // for verify: the mesh whose edges are unstretched; empty: found by itself
   DiffOptions diff;
 };
 

@@ -167,6 +167,7 @@ void simulate(Run& run, const Options& options, const Console& console) {
   if (checkpoint && checkpoint->frame >= run.scene.time.last_frame) {
     note(console, "simulate  every frame is in the cache already");
   } else {
+    run.manifest.certificate.reset();  // it was of other frames
     run.manifest.build = program_build();
     run.manifest.threads = options.threads;
     simulate_from(std::move(checkpoint), run, console);

@@ -34,17 +34,15 @@ static std::string lower_case_ending(const fs::path& path) {
   return ending;
 }
 
-static PolygonSoup read_soup(const fs::path& path) {
+PolygonSoup read_polygons(const fs::path& path) {
+  check_file(path);
   const std::string ending = lower_case_ending(path);
   if (ending == ".obj") return read_obj(read_file(path), path);
   if (ending == ".ply") return read_ply(read_file(path), path);
   return import_in_child(path);
 }
 
-TriangleMesh read_mesh(const fs::path& path) {
-  check_file(path);
-  return weld(read_soup(path));
-}
+TriangleMesh read_mesh(const fs::path& path) { return weld(read_polygons(path)); }
 
 static void append_face(const TriangleMesh& mesh, std::size_t t, std::string& text) {
   text += 'f';

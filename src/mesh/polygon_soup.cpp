@@ -6,8 +6,7 @@
 
 namespace drape {
 
-// For each point the first point of equal position.
-static std::vector<int> first_equal_points(const std::vector<Vec3>& points) {
+std::vector<int> first_equal_points(const std::vector<Vec3>& points) {
   std::vector<int> order(points.size());
   std::iota(order.begin(), order.end(), 0);
   const auto key = [&](int i) { return std::tie(points[i].x(), points[i].y(), points[i].z()); };
@@ -35,25 +34,30 @@ static std::vector<int> weld_points(const std::vector<Vec3>& points, std::vector
   return number;
 }
 
-static bool has_three_corners(const Triangle& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; }
+std::vector<Triangle> cut_into_fans(const std::vector<int>& corners, const std::vector<int>& polygon_ends) {
+  std::vector<Triangle> triangles;
+  int begin = 0;
+  for (const int end : polygon_ends) {
+    for (int k = begin + 1; k + 1 < end; ++k)
+      triangles.push_back({corners[begin], corners[k], corners[k + 1]});
+    begin = end;
+  }
+  return triangles;
+}
 
 TriangleMesh weld(const PolygonSoup& soup) {
   TriangleMesh mesh;
   const std::vector<int> number = weld_points(soup.points, mesh.positions);
   const bool has_uvs = !soup.corner_uvs.empty();
-  int begin = 0;
-  for (const int end : soup.polygon_ends) {
-    for (int k = begin + 1; k + 1 < end; ++k) {
-      const auto fan = [&](const std::vector<int>& corners) {
-        return Triangle{corners[begin], corners[k], corners[k + 1]};
-      };
-      Triangle triangle = fan(soup.corner_points);
-      for (int& point : triangle) point = number[point];
-      if (!has_three_corners(triangle)) continue;
-      mesh.triangles.push_back(triangle);
-      if (has_uvs) mesh.uv_triangles.push_back(fan(soup.corner_uvs));
-    }
-    begin = end;
+  const std::vector<Triangle> triangles = cut_into_fans(soup.corner_points, soup.polygon_ends);
+  const std::vector<Triangle> uv_triangles =
+      has_uvs ? cut_into_fans(soup.corner_uvs, soup.polygon_ends) : std::vector<Triangle>();
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto& [a, b, c] = triangles[t];
+    const Triangle welded{number[a], number[b], number[c]};
+    if (!has_three_corners(welded)) continue;
+    mesh.triangles.push_back(welded);
+    if (has_uvs) mesh.uv_triangles.push_back(uv_triangles[t]);
   }
   if (has_uvs) mesh.uvs = soup.uvs;
   return mesh;

@@ -15,6 +15,14 @@ struct PolygonSoup {
   std::vector<int> polygon_ends;   // the number of corners up to and with each polygon
 };
 
+// For each point the first point of equal position.
+std::vector<int> first_equal_points(const std::vector<Vec3>& points);
+
+// Polygons, given by their corners one after another, cut into fans round their first corner.
+std::vector<Triangle> cut_into_fans(const std::vector<int>& corners, const std::vector<int>& polygon_ends);
+
+inline bool has_three_corners(const Triangle& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; }
+
 // One mesh of it: polygons cut into fans round their first corner, points of equal position made one (the
 // first), triangles dropped that thereby lose their third corner (exporters write the poles of spheres so).
 // Needs indices in range and finite points.

@@ -33,7 +33,7 @@ TEST(CommandLine, BecomesOptions) {
 
 TEST(CommandLine, EachCommandHasHelpWithAnExample) {
   for (const char* command :
-       {"run", "simulate", "render", "encode", "still", "validate", "info", "export", "diff"}) {
+       {"run", "simulate", "render", "encode", "still", "validate", "info", "export", "verify", "diff"}) {
     const CommandLine line = parse({command, "--help"});
     EXPECT_EQ(line.error, "");
     EXPECT_NE(line.answer.find(std::string("Example:\n  drape ") + command), std::string::npos) << command;
@@ -43,7 +43,7 @@ TEST(CommandLine, EachCommandHasHelpWithAnExample) {
 TEST(CommandLine, NamesTheCommandsWhereOneIsMistyped) {
   EXPECT_EQ(parse({"rnu", "a.yaml"}).error,
             "drape: error: there is no command 'rnu'; the commands are run, simulate, render, encode, still, "
-            "validate, info, export, measure, diff\n");
+            "validate, info, export, measure, verify, diff\n");
 }
 
 TEST(CommandLine, RefusesWhatACommandDoesNotTake) {

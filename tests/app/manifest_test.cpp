@@ -29,6 +29,10 @@ Manifest sample_manifest() {
   record.statistics.profile[Phase::narrow] = 0.125;
   record.picture_hash = 5;
   manifest.stages["render"] = {1.5, 2.5};
+  CertificateRecord& certificate = manifest.certificate.emplace();
+  certificate.key = 0xabc;
+  certificate.summary = {
+      90, 2, "12", {"", true, 0.9, 1.1, {3, 0.25, 1, 0.5}, SurfaceFigures{4, 0.125, 0, 0}}};
   return manifest;
 }
 
@@ -41,6 +45,9 @@ TEST(Manifest, ComesBackFromJsonAsItWas) {
   EXPECT_EQ(manifest.frames.at(7).statistics.largest_lag, 0.25);
   EXPECT_EQ(manifest.frames.at(7).statistics.profile.cpu_seconds[2], 0.125);
   EXPECT_EQ(manifest.stages.at("render").cpu_seconds, 2.5);
+  EXPECT_EQ(manifest.certificate->key, 0xabc);
+  EXPECT_EQ(manifest.certificate->summary.worst, "12");
+  EXPECT_EQ(manifest.certificate->summary.extremes.drawn->smallest_gap, 0.125);
 }
 
 TEST(Manifest, IsNothingWhereThereIsNoFileAndAnErrorWhereItIsDamaged) {
@@ -66,6 +73,10 @@ TEST(Manifest, KnowsFiguresThatAreNotFinite) {
   EXPECT_TRUE(std::isnan(read.kinetic_energy));
   EXPECT_FALSE(std::isfinite(read.profile[Phase::narrow]));
   EXPECT_EQ(read.contacts, 42);
+  SurfaceFigures& figures = manifest.certificate->summary.extremes.simulated;
+  figures.smallest_gap = std::numeric_limits<double>::infinity();
+  const Manifest again = manifest_from_json(to_json(manifest));
+  EXPECT_TRUE(std::isinf(again.certificate->summary.extremes.simulated.smallest_gap));
 }
 
 }  // namespace

@@ -3,30 +3,17 @@
 
 #include <fmt/format.h>
 
-#include "contact/intersections.h"
 #include "core/hash.h"
 #include "scene/load.h"
-#include "simulation/simulation.h"
+#include "simulation/scenarios.h"
 
 namespace drape {
 namespace {
 
-std::size_t intersecting_pairs(const Simulation& simulation) {
-  std::vector<Vec3f> points;
-  for (const Vec3& p : simulation.state().positions) points.push_back(p.cast<float>());
-  std::vector<Triangle> triangles;
-  int first = 0;
-  for (const ClothInput& cloth : simulation.input().cloths) {
-    for (const auto& [a, b, c] : cloth.mesh.triangles) triangles.push_back({a + first, b + first, c + first});
-    first += static_cast<int>(cloth.mesh.positions.size());
-  }
-  return intersecting_triangles(points, triangles).size();
-}
-
 void print_frame(const Simulation& simulation, const FrameStatistics& s) {
   fmt::print("{:5} {:9} {:8} {:8.4f} {:8.4f} {:8.4f} {:10.2e} {:8.4f} {:8} {:6}\n", simulation.state().frame,
              s.contacts, s.limited_vertices, s.largest_stretch, s.p99_stretch, s.smallest_stretch,
-             s.kinetic_energy, s.largest_speed, intersecting_pairs(simulation),
+             s.kinetic_energy, s.largest_speed, test::intersecting_pairs(simulation),
              to_hex(state_hash(simulation.state())).substr(0, 8));
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "contact/intersections.h"
+#include "certificate/surface_certificate.h"
 #include "mesh/primitives.h"
 
 namespace drape::test {
@@ -69,8 +69,8 @@ Vec3 angular_momentum(const Simulation& simulation) {
 }
 
 int intersecting_pairs(const Simulation& simulation) {
-  std::vector<Vec3f> points;
-  for (const Vec3& p : simulation.state().positions) points.push_back(p.cast<float>());
+  std::vector<Vec3> points;
+  for (const Vec3& p : simulation.state().positions) points.push_back(p.cast<float>().cast<double>());
   std::vector<Triangle> triangles;
   int first = 0;
   for (const ClothInput& cloth : simulation.input().cloths) {

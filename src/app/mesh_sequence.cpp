@@ -1,0 +1,176 @@
+#include "app/mesh_sequence.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+
+#include "core/error.h"
+#include "mesh/mesh_file.h"
+
+namespace drape::app {
+namespace fs = std::filesystem;
+
+static bool is_mesh_file(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending == ".obj" || ending == ".ply";
+}
+
+static bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+static bool is_folder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+static bool is_pattern(const fs::path& path) {
+  return path.filename().string().find_first_of("#*%") != std::string::npos && !fs::exists(path);
+}
+
+bool names_meshes(const std::vector<std::string>& inputs) {
+  const fs::path first = inputs.front();
+  if (is_folder(first)) return !fs::exists(first / "run.json");
+  return is_mesh_file(first) || is_pattern(first);
+}
+
+// "%04d" as '%': one or more digits.
+static std::string simplified(std::string pattern) {
+  for (std::size_t begin = pattern.find('%'); begin != std::string::npos;
+       begin = pattern.find('%', begin + 1)) {
+    std::size_t end = begin + 1;
+    while (end < pattern.size() && is_digit(pattern[end])) ++end;
+    if (end < pattern.size() && pattern[end] == 'd') pattern.erase(begin + 1, end - begin);
+  }
+  return pattern;
+}
+
+static bool matches(std::string_view pattern, std::string_view name) {
+  if (pattern.empty()) return name.empty();
+  const std::string_view rest = pattern.substr(1);
+  if (pattern.front() == '*')
+    return matches(rest, name) || (!name.empty() && matches(pattern, name.substr(1)));
+  if (name.empty()) return false;
+  const std::string_view name_rest = name.substr(1);
+  if (pattern.front() == '#') return is_digit(name.front()) && matches(rest, name_rest);
+  if (pattern.front() == '%')
+    return is_digit(name.front()) && (matches(rest, name_rest) || matches(pattern, name_rest));
+  return pattern.front() == name.front() && matches(rest, name_rest);
+}
+
+// Numbers by their values, other letters as they are: frame_9 comes before frame_10.
+static bool comes_before(const fs::path& a, const fs::path& b) {
+  const auto key = [](const std::string& name) {
+    std::vector<std::pair<std::size_t, std::string>> parts;  // a number's length, and its digits
+    for (std::size_t i = 0; i < name.size();) {
+      std::size_t end = i;
+      while (end < name.size() && is_digit(name[end])) ++end;
+      if (end == i) {
+        parts.emplace_back(0, std::string(1, name[i++]));
+        continue;
+      }
+      const std::size_t first = std::min(name.find_first_not_of('0', i), end - 1);
+      parts.emplace_back(end - first, name.substr(first, end - first));
+      i = end;
+    }
+    return parts;
+  };
+  const auto key_a = key(a.filename().string()), key_b = key(b.filename().string());
+  return key_a != key_b ? key_a < key_b : a < b;
+}
+
+static std::vector<fs::path> files_in(const fs::path& folder, const std::string& pattern) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, error))
+    if (is_mesh_file(entry.path()) && matches(pattern, entry.path().filename().string()))
+      files.push_back(folder / entry.path().filename());
+  if (error) throw FileError(folder.string(), "cannot be read: " + error.message());
+  std::sort(files.begin(), files.end(), comes_before);
+  return files;
+}
+
+static std::vector<fs::path> files_of(const fs::path& input) {
+  if (is_folder(input)) {
+    auto files = files_in(input, "*");
+    if (files.empty())
+      throw FileError(input.string(),
+                      "holds no OBJ or PLY files, and no run.json of a run: name a scene, the "
+                      "folder of a run, or files of meshes");
+    return files;
+  }
+  if (!is_pattern(input)) return {input};
+  auto files = files_in(input.parent_path(), simplified(input.filename().string()));
+  if (files.empty())
+    throw FileError(input.string(), "no OBJ or PLY file fits this pattern (# is a digit, * anything)");
+  return files;
+}
+
+static bool is_rest_file(const fs::path& path) { return is_mesh_file(path) && path.stem() == "rest"; }
+
+static fs::path take_rest_file(std::vector<fs::path>& files) {
+  const auto rest = std::find_if(files.begin(), files.end(), is_rest_file);
+  if (rest == files.end() || files.size() == 1) return files.front();
+  const fs::path found = *rest;
+  files.erase(rest);
+  return found;
+}
+
+MeshSequence open_mesh_sequence(const std::vector<std::string>& inputs, const std::string& rest_file) {
+  MeshSequence sequence;
+  for (const std::string& input : inputs) {
+    const auto files = files_of(input);
+    sequence.files.insert(sequence.files.end(), files.begin(), files.end());
+  }
+  const fs::path rest_found = take_rest_file(sequence.files);
+  sequence.rest_file = rest_file.empty() ? rest_found : fs::path(rest_file);
+  sequence.rest = read_polygons(sequence.rest_file);
+  return sequence;
+}
+
+static std::string size_text(const PolygonSoup& soup) {
+  return fmt::format("{} points and {} faces", soup.points.size(), soup.polygon_ends.size());
+}
+
+static void check_same_faces(const MeshSequence& sequence, const fs::path& file, const PolygonSoup& soup) {
+  const PolygonSoup& rest = sequence.rest;
+  const bool same_size =
+      soup.points.size() == rest.points.size() && soup.polygon_ends.size() == rest.polygon_ends.size();
+  if (same_size && soup.corner_points == rest.corner_points && soup.polygon_ends == rest.polygon_ends) return;
+  const std::string what =
+      same_size ? fmt::format("the corners of its faces are not those of {}", sequence.rest_file.string())
+                : fmt::format("has {}, but {} has {}", size_text(soup), sequence.rest_file.string(),
+                              size_text(rest));
+  throw InputError(
+      {{file.string(), 0, 0,
+        what + ": the files of a sequence need the same faces in the same order; name a rest shape "
+               "of these faces with --rest, or verify each file alone"}},
+      3);
+}
+
+// For each point the first one that is at its place both at rest and now.
+static std::vector<int> vertices_of(const PolygonSoup& rest, const PolygonSoup& now) {
+  const std::vector<int> first_at_rest = first_equal_points(rest.points),
+                         first_now = first_equal_points(now.points);
+  std::map<std::pair<int, int>, int> first;
+  std::vector<int> vertices(rest.points.size());
+  for (int i = 0; i < static_cast<int>(vertices.size()); ++i)
+    vertices[i] = first.try_emplace({first_at_rest[i], first_now[i]}, i).first->second;
+  return vertices;
+}
+
+MeshFrame read_mesh_frame(const MeshSequence& sequence, const fs::path& file) {
+  PolygonSoup soup = read_polygons(file);
+  check_same_faces(sequence, file, soup);
+  const std::vector<int> vertices = vertices_of(sequence.rest, soup);
+  MeshFrame frame{sequence.rest.points, {std::move(soup.points), {}}};
+  for (const auto& [a, b, c] : cut_into_fans(soup.corner_points, soup.polygon_ends)) {
+    const Triangle triangle{vertices[a], vertices[b], vertices[c]};
+    if (has_three_corners(triangle)) frame.surface.triangles.push_back(triangle);
+  }
+  return frame;
+}
+
+}  // namespace drape::app
