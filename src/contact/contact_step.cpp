@@ -28,6 +28,9 @@ void find_pairs(const ContactGeometry& geometry, const ContactSettings& settings
 std::vector<Contact> find_contacts(const NarrowPhase& phase, ContactCache& cache) {
   std::vector<Contact> contacts;
   for (ProximityList& list : cache.lists) find_active_pairs(phase, list, contacts);
+  // Which list a contact comes from, and when that was built, must not matter.
+  std::sort(contacts.begin(), contacts.end(),
+            [](const Contact& a, const Contact& b) { return a.key < b.key; });
   find_plane_contacts(phase, contacts);
   return contacts;
 }
