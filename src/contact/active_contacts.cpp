@@ -16,9 +16,6 @@ double healed_distance(double thickness, double distance) {
   return std::max(std::min(thickness, distance), healed);
 }
 
-// Conservative advancement stops when the gap to close is this share of the thickness.
-constexpr double arrival_share = 0.02;
-
 FourPoints at_time(const FourPoints& start, const FourPoints& end, double time) {
   FourPoints x;
   for (int i = 0; i < 4; ++i) x[i] = start[i] + time * (end[i] - start[i]);
@@ -74,57 +71,68 @@ bool counted_elsewhere(const ContactPair& pair, const ClosestPoints& closest) {
   return pair.kind == PairKind::edge_edge && !closest.inside_edges && !pair.counts_edge_ends;
 }
 
-double travelled(const ProximityList& list, const ContactPair& pair) {
-  double sum = 0;
-  for (const int v : pair.vertices) sum += list.travelled[v];
-  return sum;
-}
+// A pair's place in its list's clock and in the step.
+struct Moment {
+  double travelled, way_in_step;  // m: relative ways of the pair's patches
+  long step;
+};
 
 // Appends a contact if the pair comes within its thickness; brings its expiry up to date.
-void examine_pair(const NarrowPhase& phase, double way_before, double way_in_step, ContactPair& pair,
+void examine_pair(const NarrowPhase& phase, const Moment& moment, ContactPair& pair,
                   std::vector<Contact>& out) {
   const FourPoints start = gather(phase.motion.start, pair.vertices);
-  const ClosestPoints at_start = closest_points(pair.kind, start);
-  const double reach = pair.radius + (1 + arrival_share) * pair.thickness;
-  pair.expiry = way_before + at_start.distance - reach;
-  if (way_before + way_in_step < pair.expiry) return;
   const FourPoints end = gather(phase.motion.end, pair.vertices);
+  const double motion = relative_motion(pair.kind, start, end);
+  if (moment.travelled + motion < pair.expiry) return;  // its own points move less than their patches
+  const ClosestPoints at_start = closest_points(pair.kind, start);
+  pair.expiry = expiry_of(pair, moment.travelled, at_start.distance);
+  if (moment.travelled + motion < pair.expiry) return;
   ClosestPoints closest = at_start;
-  if (at_start.distance > reach) {
+  if (at_start.distance > pair.radius + (1 + arrival_share) * pair.thickness) {
     const auto time =
         time_of_contact(pair.kind, start, end, pair.radius + pair.thickness, arrival_share * pair.thickness);
     if (!time) return;
     closest = closest_points(pair.kind, at_time(start, end, *time));
   }
   if (counted_elsewhere(pair, closest) || !(closest.distance > 0)) return;
+  pair.contact_step = moment.step;
   out.push_back(make_contact(phase, pair, closest, at_start.distance, start, end));
 }
 
-std::vector<double> ways_in_step(const NarrowPhase& phase, const ProximityList& list) {
-  const Vec3 shift = frame_motion(phase.geometry, list, phase.motion);
-  std::vector<double> ways(phase.geometry.vertex_body.size(), 0.0);
-  for (std::size_t v = 0; v < ways.size(); ++v)
-    ways[v] = (phase.motion.end[v] - phase.motion.start[v] - shift).norm();
-  return ways;
+void examine_pairs(const NarrowPhase& phase, const Moment& moment, PatchPair& patches,
+                   std::vector<Contact>& out) {
+  const double travelled = moment.travelled + moment.way_in_step;
+  if (travelled < patches.next_contact) return;
+  for (ContactPair& pair : patches.pairs)
+    if (travelled >= pair.expiry && pair.contact_step != moment.step) examine_pair(phase, moment, pair, out);
+  update_next(patches);
+}
+
+// Which list a contact comes from and when that was made must not matter.
+void append_in_order(const std::vector<Contact>& found, std::vector<Contact>& contacts) {
+  std::vector<const Contact*> order;
+  order.reserve(found.size());
+  for (const Contact& contact : found) order.push_back(&contact);
+  std::sort(order.begin(), order.end(), [](const Contact* a, const Contact* b) { return a->key < b->key; });
+  contacts.reserve(contacts.size() + found.size());
+  for (const Contact* contact : order) contacts.push_back(*contact);
 }
 
 }  // namespace
 
-void find_active_pairs(const NarrowPhase& phase, ProximityList& list, std::vector<Contact>& contacts) {
-  constexpr std::size_t block = 1024;
-  const std::vector<double> ways = ways_in_step(phase, list);
+void find_active_pairs(const NarrowPhase& phase, Proximity& proximity, std::vector<Contact>& contacts) {
+  constexpr std::size_t block = 128;
   std::vector<Contact> found;
-  parallel_collect(list.pairs.size(), block, found,
+  parallel_collect(proximity.pairs.size(), block, found,
                    [&](std::size_t begin, std::size_t end, std::vector<Contact>& out) {
                      for (std::size_t p = begin; p < end; ++p) {
-                       ContactPair& pair = list.pairs[p];
-                       const double before = travelled(list, pair);
-                       double way = 0;
-                       for (const int v : pair.vertices) way += ways[v];
-                       if (before + way >= pair.expiry) examine_pair(phase, before, way, pair, out);
+                       PatchPair& patches = proximity.pairs[p];
+                       examine_pairs(phase,
+                                     {patches.travelled, relative_way(proximity, patches), proximity.step},
+                                     patches, out);
                      }
                    });
-  contacts.insert(contacts.end(), found.begin(), found.end());
+  append_in_order(found, contacts);
 }
 
 // A vertex at or under its thickness over the plane, at the step's end.

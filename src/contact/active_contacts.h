@@ -42,10 +42,11 @@ struct NarrowPhase {
   StepMotion motion;
 };
 
-// The pairs of the list that come within their thickness on the way, each at the first time that they do
-// (section 5 of the paper: collisions are detected on the future positions). Pairs that are known to be too
-// far are passed over; their `expiry` is brought up to date.
-void find_active_pairs(const NarrowPhase& phase, ProximityList& list, std::vector<Contact>& contacts);
+// The listed pairs that come within their thickness on the way, each at the first time that they do (section
+// 5 of the paper: collisions are detected on the future positions); in the order of their keys. Pairs that
+// are known to be too far, or have made their contact in this step already, are passed over. The lists must
+// be up to date with this motion.
+void find_active_pairs(const NarrowPhase& phase, Proximity& proximity, std::vector<Contact>& contacts);
 
 // Vertices within their thickness of a plane at the step's end.
 void find_plane_contacts(const NarrowPhase& phase, std::vector<Contact>& contacts);

@@ -10,21 +10,12 @@
 namespace drape {
 
 struct ContactSettings {
-  double pad = 0;        // m: how far vertices may stray before the broad phase is done again
-  double cell_size = 0;  // m
+  ProximityMargins margins;
   double largest_thickness = 0;
   double least_gap = 1e-5;  // m: what the fail-safe keeps
 };
 // From the cloths' mean edge length and thickness.
 ContactSettings contact_settings(const ContactGeometry& geometry);
-
-// What contact keeps from step to step: lists of the broad phase. It is cleared at each frame's start: the
-// order of a list's pairs, which is that of the response, depends on when it was built, and a resumed run
-// must do the same as one that never stopped.
-struct ContactCache {
-  std::vector<ProximityList> lists;
-};
-ContactCache empty_contact_cache(const ContactGeometry& geometry);
 
 struct ContactStepResult {
   std::vector<Vec3> push;  // m: what of the way is not velocity
@@ -34,9 +25,9 @@ struct ContactStepResult {
 };
 
 // Section 5 of the paper: x** -> x(t+h). `end` comes with the elastic positions of the cloths and the aims of
-// the colliders, and leaves with what they reach.
+// the colliders, and leaves with what they reach. `proximity` is the last step's; a new one gives the same.
 ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSettings& settings,
                                 const std::vector<BodyMotion>& bodies, const std::vector<Vec3>& start,
-                                ContactCache& cache, Profile& profile, std::vector<Vec3>& end);
+                                Proximity& proximity, Profile& profile, std::vector<Vec3>& end);
 
 }  // namespace drape

@@ -1,6 +1,7 @@
 #include "contact/fail_safe.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "contact/conservative_advancement.h"
 #include "core/parallel.h"
@@ -116,30 +117,31 @@ double kept_gap(const Work& work, const ContactPair& pair, double distance) {
   return std::min(pair.radius + work.least_gap, distance);
 }
 
-// The pairs of the list that may come close in this step at all, by their travelled ways.
-std::vector<int> pairs_at_risk(const Work& work, const ProximityList& list) {
-  const Vec3 shift = frame_motion(work.phase.geometry, list, {work.phase.motion.start, work.end});
-  std::vector<int> risky;
-  constexpr std::size_t block = 2048;
-  parallel_collect(
-      list.pairs.size(), block, risky, [&](std::size_t begin, std::size_t end, std::vector<int>& out) {
-        for (std::size_t p = begin; p < end; ++p) {
-          const ContactPair& pair = list.pairs[p];
-          double way = 0;
-          // A vertex that is held back lags behind the frame by the frame's own way at most.
-          for (const int v : pair.vertices)
-            way +=
-                list.travelled[v] + (work.end[v] - work.phase.motion.start[v] - shift).norm() + shift.norm();
-          if (way >= pair.expiry + pair.thickness - 2 * work.least_gap) out.push_back(static_cast<int>(p));
-        }
-      });
+// The listed pairs that may come close in this step at all, wherever their vertices stop; in the order of
+// their kinds and vertices, whatever list they are in.
+std::vector<ContactPair> pairs_at_risk(const Work& work, const Proximity& proximity) {
+  std::vector<ContactPair> risky;
+  constexpr std::size_t block = 256;
+  parallel_collect(proximity.pairs.size(), block, risky,
+                   [&](std::size_t begin, std::size_t end, std::vector<ContactPair>& out) {
+                     for (std::size_t p = begin; p < end; ++p) {
+                       const PatchPair& patches = proximity.pairs[p];
+                       const double way = patches.travelled + relative_way_if_stopped(proximity, patches) +
+                                          2 * work.least_gap;
+                       if (way < patches.next_collision) continue;
+                       for (const ContactPair& pair : patches.pairs)
+                         if (way >= pair.expiry + pair.thickness) out.push_back(pair);
+                     }
+                   });
+  std::sort(risky.begin(), risky.end(), [](const ContactPair& a, const ContactPair& b) {
+    return std::tie(a.kind, a.vertices) < std::tie(b.kind, b.vertices);
+  });
   return risky;
 }
 
-// The pairs of one list that may collide, and which of them are locked.
+// The pairs that may collide, and which of them are locked.
 struct Watch {
-  const ProximityList& list;
-  std::vector<int> pairs;
+  std::vector<ContactPair> pairs;
   std::vector<char> locked;
 };
 
@@ -158,7 +160,7 @@ std::vector<int> colliding_pairs(const Work& work, const Watch& watch, bool firs
   parallel_collect(
       watch.pairs.size(), block, colliding, [&](std::size_t begin, std::size_t end, std::vector<int>& out) {
         for (std::size_t w = begin; w < end; ++w) {
-          const ContactPair& pair = watch.list.pairs[watch.pairs[w]];
+          const ContactPair& pair = watch.pairs[w];
           const auto& v = pair.vertices;
           const bool cut = cut_before[v[0]] || cut_before[v[1]] || cut_before[v[2]] || cut_before[v[3]];
           if (!watch.locked[w] && (first_pass || cut) && collides(work, pair))
@@ -171,7 +173,7 @@ std::vector<int> colliding_pairs(const Work& work, const Watch& watch, bool firs
 void lock_colliding_pairs(const Work& work, Watch& watch, bool first_pass,
                           const std::vector<char>& cut_before) {
   for (const int w : colliding_pairs(work, watch, first_pass, cut_before)) {
-    const ContactPair& pair = watch.list.pairs[watch.pairs[w]];
+    const ContactPair& pair = watch.pairs[w];
     const FourPoints start = gather(work.phase.motion.start, pair.vertices);
     const ClosestPoints closest = closest_points(pair.kind, start);
     watch.locked[w] = 1;
@@ -227,18 +229,14 @@ void keep_colliders_rigid(const Work& work) {
 
 }  // namespace
 
-FailSafeResult hold_back(const NarrowPhase& phase, const std::vector<ProximityList>& lists, double least_gap,
+FailSafeResult hold_back(const NarrowPhase& phase, const Proximity& proximity, double least_gap,
                          std::vector<Vec3>& end) {
   const std::size_t vertices = end.size();
   Progress progress{
       std::vector<double>(vertices, 1.0), std::vector<double>(phase.geometry.bodies.size(), 1.0), {}, false};
   const Work work{phase, end, least_gap, progress};
-  std::vector<Watch> watches;
-  for (const ProximityList& list : lists) {
-    std::vector<int> risky = pairs_at_risk(work, list);
-    const std::size_t count = risky.size();
-    watches.push_back({list, std::move(risky), std::vector<char>(count, 0)});
-  }
+  Watch watch{pairs_at_risk(work, proximity), {}};
+  watch.locked.assign(watch.pairs.size(), 0);
   FailSafeResult result;
   std::vector<char> cut_before;
   do {
@@ -246,7 +244,7 @@ FailSafeResult hold_back(const NarrowPhase& phase, const std::vector<ProximityLi
     cut_before.resize(vertices, 0);
     progress.changed.assign(vertices, 0);
     progress.plane_cut = false;
-    for (Watch& watch : watches) lock_colliding_pairs(work, watch, result.passes == 0, cut_before);
+    lock_colliding_pairs(work, watch, result.passes == 0, cut_before);
     hold_over_planes(work);
     keep_colliders_rigid(work);
     ++result.passes;

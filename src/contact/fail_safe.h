@@ -21,8 +21,9 @@ struct FailSafeResult {
 // straight way is behind it all along, and leaves untouched, to the bit, a step that needs none of it. Planes
 // of the scene are sides of their own.
 //
-// On return `end` is what the vertices reach. Rigid colliders go one share, the least of their vertices.
-FailSafeResult hold_back(const NarrowPhase& phase, const std::vector<ProximityList>& lists, double least_gap,
+// The lists must be those of this motion. On return `end` is what the vertices reach. Rigid colliders go one
+// share, the least of their vertices.
+FailSafeResult hold_back(const NarrowPhase& phase, const Proximity& proximity, double least_gap,
                          std::vector<Vec3>& end);
 
 }  // namespace drape

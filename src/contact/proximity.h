@@ -2,24 +2,9 @@
 
 #include <vector>
 
-#include "contact/contact_geometry.h"
-#include "contact/spatial_hash.h"
+#include "contact/patch_pair.h"
 
 namespace drape {
-
-// The pairs that may come close while every vertex stays in its box: the result of the broad phase, which
-// stays good for several steps. One list holds the pairs within one cloth, seen from a frame that moves along
-// with it (a falling cloth does not leave its boxes); one holds the pairs between different bodies, in the
-// world.
-struct ProximityList {
-  int own_body = -1;  // the cloth whose own pairs these are; -1: the pairs between bodies
-  std::vector<ContactPair> pairs;
-
-  bool built = false;
-  std::vector<Vec3> lower, upper;   // the box that each vertex may move in, in the list's frame
-  Vec3 frame_shift = Vec3::Zero();  // how far the frame has moved since the list was built
-  std::vector<double> travelled;    // m: each vertex's way in the list's frame since the list was built
-};
 
 // Where the vertices are at a step's start, and where they are about to go.
 struct StepMotion {
@@ -27,18 +12,40 @@ struct StepMotion {
   const std::vector<Vec3>& end;
 };
 
-// How far the list's frame moves in this step.
-Vec3 frame_motion(const ContactGeometry& geometry, const ProximityList& list, const StepMotion& motion);
+// The broad phase: the pairs of patches that may meet, each with its own list of pairs of primitives. A list
+// stays good until its two patches have moved relative to one another by more than its margin; then it alone
+// is made anew. What is found with the lists does not depend on when they were made: they leave out only what
+// can't touch.
+struct Proximity {
+  std::vector<Patch> patches;
+  std::vector<PatchPair> pairs;   // of all patches whose rooms come within reach; by second patch, then first
+  std::vector<Bounds> rooms;      // how far each patch may move before its partners are sought again
+  std::vector<Bounds> moved;      // the box of how far its vertices have moved since
+  std::vector<Vec4> vertex_ways;  // in this step
+  std::vector<Bounds> ways;       // the box of the ways of each patch's vertices
+  long step = 0;                  // how many have been followed
+};
 
-// Rebuilds the list where a vertex is out of its box at the step's end; else keeps it. `pad` in
-// metres: the room that a box gives beyond the step's motion. Returns whether it was rebuilt.
-bool update_proximity(const ContactGeometry& geometry, const StepMotion& motion, double pad, double cell_size,
-                      ProximityList& list);
+// Margins of lists, in metres. A patch that moves fast gets more, so that its lists last for some steps.
+struct ProximityMargins {
+  double least = 0, most = 0;  // of a list
+  double room = 0;             // the least that a patch's room gives it beyond where it is
+};
 
-// Whether the end of each vertex's way is still in its box.
-bool within_boxes(const ContactGeometry& geometry, const ProximityList& list, const StepMotion& motion);
+Proximity start_proximity(const ContactGeometry& geometry);
 
-// Adds a finished step to the vertices' ways and to the frame's.
-void follow_motion(const ContactGeometry& geometry, const StepMotion& motion, ProximityList& list);
+// Makes the lists hold all pairs that can touch in this step, though each vertex may stop anywhere on its
+// way. Returns how many lists were made anew.
+int update_proximity(const ContactGeometry& geometry, const StepMotion& motion,
+                     const ProximityMargins& margins, Proximity& proximity);
+
+// Counts a finished step, which the next one is to go on from. `motion` may differ from what the lists were
+// last updated for in where vertices have stopped on their ways.
+void follow_motion(const StepMotion& motion, Proximity& proximity);
+
+// A bound of how far points of two patches move relative to each other in this step.
+double relative_way(const Proximity& proximity, const PatchPair& pair);
+// The same where each vertex may stop anywhere on its way.
+double relative_way_if_stopped(const Proximity& proximity, const PatchPair& pair);
 
 }  // namespace drape

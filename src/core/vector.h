@@ -14,6 +14,7 @@ namespace drape {
 
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
+using Vec4 = Eigen::Vector4d;
 using Mat3 = Eigen::Matrix3d;
 
 using Vec2f = Eigen::Vector2f;

@@ -18,12 +18,16 @@ struct Simulation::Parts {
 Simulation::Simulation(SimulationInput input) : parts_(std::make_unique<Parts>()) {
   parts_->world = build_world(std::move(input));
   parts_->state = initial_state(parts_->world);
+  parts_->scratch.proximity = start_proximity(parts_->world.geometry);
 }
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 
 const State& Simulation::state() const { return parts_->state; }
-void Simulation::restore(State state) { parts_->state = std::move(state); }
+void Simulation::restore(State state) {
+  parts_->state = std::move(state);
+  parts_->scratch.proximity = start_proximity(parts_->world.geometry);
+}
 const SimulationInput& Simulation::input() const { return parts_->world.input; }
 int Simulation::steps_per_frame() const { return parts_->world.steps_per_frame; }
 
@@ -34,10 +38,10 @@ FrameStatistics Simulation::advance_frame() {
   int limited = 0;
   const long first_step = static_cast<long>(state.frame) * world.steps_per_frame;
   const double start = state.frame * world.input.frame_duration;
-  update_pins(world, start);
+  // Lists leave out pairs that are pinned on both sides.
+  if (update_pins(world, start)) scratch.proximity = start_proximity(world.geometry);
   grab(world.pins, start, state);
   start_seams(world.seams, start, state.positions, state.seam_lengths);
-  scratch.contacts = empty_contact_cache(world.geometry);  // a resumed run must start from the same
   for (int i = 1; i <= world.steps_per_frame; ++i) {
     const double time = static_cast<double>(first_step + i) * world.step;
     last = advance_step(world, time, state, scratch, profile);

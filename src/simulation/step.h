@@ -9,7 +9,8 @@
 
 namespace drape {
 
-// What one step needs to work in; nothing of it outlives a frame.
+// What one step needs to work in. Only the broad phase keeps something from step to step, and what it keeps
+// changes no result.
 struct Scratch {
   std::vector<Vec3> start, end;  // of all contact vertices: cloths, then colliders
   std::vector<Vec3> accelerations;
@@ -19,7 +20,7 @@ struct Scratch {
   std::vector<BodyMotion> bodies;
   std::vector<double> collider_aims;  // seconds: the time on its way that each collider makes for
   FreeMotionScratch free_motion;
-  ContactCache contacts;
+  Proximity proximity;
 };
 
 // One step of the paper's loop (section 3), from time - step to `time`.

@@ -168,9 +168,11 @@ State initial_state(const World& world) {
   return state;
 }
 
-void update_pins(World& world, double time) {
+bool update_pins(World& world, double time) {
   std::vector<char> pinned = pinned_vertices(world.pins, world.masses.size(), time);
-  if (pinned != world.pinned) build_pinned_parts(world, std::move(pinned));
+  if (pinned == world.pinned) return false;
+  build_pinned_parts(world, std::move(pinned));
+  return true;
 }
 
 }  // namespace drape

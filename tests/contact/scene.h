@@ -72,15 +72,11 @@ struct Scene {
     return {geometry.bodies[body].vertex_begin, geometry.bodies[body].vertex_end};
   }
 
-  std::vector<ProximityList> lists(double pad = 0.01, double cell_size = 0.2) const {
-    std::vector<ProximityList> all;
-    for (int b = -1; b < static_cast<int>(geometry.bodies.size()); ++b) {
-      if (b >= 0 && !geometry.bodies[b].is_cloth) continue;
-      all.emplace_back();
-      all.back().own_body = b;
-      update_proximity(geometry, motion(), pad, cell_size, all.back());
-    }
-    return all;
+  // The broad phase of this step, done anew.
+  Proximity proximity(const ProximityMargins& margins = {0.01, 0.05, 0.1}) const {
+    Proximity made = start_proximity(geometry);
+    update_proximity(geometry, motion(), margins, made);
+    return made;
   }
 
  private:

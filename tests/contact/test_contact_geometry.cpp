@@ -109,19 +109,11 @@ TEST(ContactSettings, FollowTheMeanEdgeAndTheThickestCloth) {
   scene.add_mesh(one_triangle({0, 0, 0}, {600, 0, 0}, {0, 800, 0}));
   const ContactSettings settings = contact_settings(scene.geometry);
   EXPECT_EQ(settings.largest_thickness, 0.007);
-  EXPECT_DOUBLE_EQ(settings.cell_size, 2 * 6.0);
-  EXPECT_GT(settings.pad, 0);
-  EXPECT_LT(settings.pad, 6);
+  EXPECT_GT(settings.margins.least, 0);
+  EXPECT_GT(settings.margins.most, settings.margins.least);
+  EXPECT_LT(settings.margins.most, 6);
+  EXPECT_GT(settings.margins.room, 0);
   EXPECT_EQ(settings.least_gap, 1e-5);
-}
-
-TEST(ContactCache, HoldsAListForEachClothAndOneForThePairsBetweenBodies) {
-  Bodies bodies;
-  EXPECT_EQ(empty_contact_cache(bodies.scene.geometry).lists.size(), 3u);
-  bodies.scene.geometry.self_collision = false;
-  const ContactCache cache = empty_contact_cache(bodies.scene.geometry);
-  ASSERT_EQ(cache.lists.size(), 1u);
-  EXPECT_EQ(cache.lists[0].own_body, -1);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ using test::Scene;
 constexpr double thickness = 0.01, least_gap = 1e-4;
 
 FailSafeResult hold(Scene& scene) {
-  return hold_back(scene.phase(), scene.lists(0.02, 0.3), least_gap, scene.end);
+  return hold_back(scene.phase(), scene.proximity(), least_gap, scene.end);
 }
 
 double radius_of(const Scene& scene, const test::AnyPair& pair) {

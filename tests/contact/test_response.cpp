@@ -17,7 +17,8 @@ constexpr double thickness = 0.01;
 
 std::vector<Contact> active(const Scene& scene) {
   std::vector<Contact> contacts;
-  for (ProximityList& list : scene.lists(0.05, 0.5)) find_active_pairs(scene.phase(), list, contacts);
+  Proximity proximity = scene.proximity();
+  find_active_pairs(scene.phase(), proximity, contacts);
   return contacts;
 }
 

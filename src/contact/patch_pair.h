@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "contact/patches.h"
+
+namespace drape {
+
+// Conservative advancement stops when the gap to close is this share of the thickness: pairs that are farther
+// apart than thickness and this all through a step make no contact.
+constexpr double arrival_share = 0.02;
+
+// Two patches that may meet, and those pairs of their primitives that are near. How far points of the one
+// have moved as seen from points of the other is the clock of both kinds of decision: when a listed pair has
+// to be looked at again, and when the list has to be made anew. What the patches have in common does not
+// count.
+struct PatchPair {
+  int first, second;  // patches, first <= second
+  std::vector<ContactPair> pairs;
+  double travelled = 0;       // m: a bound of how far two points of either have moved relatively
+  double valid_until = -1;    // until then pairs that are not listed are out of reach
+  double next_contact = 0;    // until then listed pairs are, too; the least of their expiries
+  double next_collision = 0;  // until then they don't come near zero distance
+};
+
+// How near two bodies' surfaces have to come to make a contact, measured between their points, edges and
+// triangles.
+double contact_reach(const ContactGeometry& geometry, int body_a, int body_b);
+
+// When the pair next needs a look, after it was found to be `distance` apart.
+double expiry_of(const ContactPair& pair, double travelled, double distance);
+
+// Brings next_contact and next_collision up to date with the pairs' expiries.
+void update_next(PatchPair& patches);
+
+// Lists all pairs that may make a contact before the patches have moved by `margin` metres from where they
+// are at `x`.
+void list_pairs(const ContactGeometry& geometry, const std::vector<Patch>& patches,
+                const std::vector<Vec3>& x, double margin, PatchPair& pair);
+
+}  // namespace drape
