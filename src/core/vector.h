@@ -3,12 +3,9 @@
 // The only file that includes Eigen: vectors and matrices of the simulation (double) and of what is drawn
 // (float).
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 namespace drape {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/symmetric_eigen.h"
 #include "deformation/bending_kernel.h"
 #include "deformation/membrane_material.h"
 
@@ -20,15 +21,21 @@ std::array<int, 6> bending_corners(const Sheet& sheet, int triangle) {
 
 namespace {
 
-// One cluster in the plane of its own triangle, lengths in units of the root of twice its area.
+using SixByThree = Eigen::Matrix<double, 6, 3>;
+using ThreeBySix = Eigen::Matrix<double, 3, 6>;
+
+// One cluster in the plane of its own triangle, lengths in units of the root of twice its area. Rows of
+// corners that are missing are zeros.
 struct Cluster {
-  std::vector<std::size_t> present;  // which of the six corners there are
-  Eigen::MatrixXd affine;            // 1, u, v of each
-  Eigen::MatrixXd quadratic;  // u2/2, v2/2, uv/2 of each: the curvatures are along, across, twice the twist
-  Eigen::VectorXd heights;    // over the plane
-  double unit;                // m
-  Vec2 warp;
+  SixByThree affine = SixByThree::Zero();  // 1, u, v of each corner
+  SixByThree quadratic =
+      SixByThree::Zero();           // u2/2, v2/2, uv/2: curvatures are along, across, twice the twist
+  std::array<double, 6> heights{};  // over the plane, in m
+  double unit = 1;                  // m
+  Vec2 warp = Vec2::Zero();
 };
+
+bool has_corner(const Cluster& cluster, int corner) { return cluster.affine(corner, 0) != 0; }
 
 Cluster flatten(const Sheet& sheet, int triangle, const std::array<int, 6>& corners) {
   const std::vector<Vec3>& x = sheet.rest_positions;
@@ -37,17 +44,11 @@ Cluster flatten(const Sheet& sheet, int triangle, const std::array<int, 6>& corn
   const Vec3 normal = (x[corners[1]] - origin).cross(x[corners[2]] - origin).normalized();
   const Vec3 across = normal.cross(axis), warp = warp_in_plane(sheet, triangle);
   Cluster cluster;
-  for (std::size_t i = 0; i < 6; ++i)
-    if (corners[i] >= 0) cluster.present.push_back(i);
-  const auto count = static_cast<Eigen::Index>(cluster.present.size());
   cluster.unit = std::sqrt(2 * rest_area(sheet, triangle));
   cluster.warp = Vec2(axis.dot(warp), across.dot(warp));
-  cluster.affine.resize(count, 3);
-  cluster.quadratic.resize(count, 3);
-  cluster.heights.resize(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Vec3 from_origin =
-        (x[corners[cluster.present[static_cast<std::size_t>(i)]]] - origin) / cluster.unit;
+  for (int i = 0; i < 6; ++i) {
+    if (corners[i] < 0) continue;
+    const Vec3 from_origin = (x[corners[i]] - origin) / cluster.unit;
     const double u = axis.dot(from_origin), v = across.dot(from_origin);
     cluster.affine.row(i) << 1, u, v;
     cluster.quadratic.row(i) << 0.5 * u * u, 0.5 * v * v, 0.5 * u * v;
@@ -56,29 +57,44 @@ Cluster flatten(const Sheet& sheet, int triangle, const std::array<int, 6>& corn
   return cluster;
 }
 
-// Rows orthonormal to each other and to every affine function of the plane.
-Eigen::MatrixXd affine_complement(const Cluster& cluster) {
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(cluster.affine);
-  const Eigen::MatrixXd q = qr.householderQ();
-  return q.rightCols(q.cols() - 3).transpose();
+// s_j, then t_j, of bending.h.
+std::array<double, coordinate_rows> outer_coordinates(const Cluster& cluster) {
+  std::array<double, coordinate_rows> coordinates{};
+  Eigen::Matrix2d edges;
+  for (int i = 0; i < 2; ++i)
+    edges.col(i) = (cluster.affine.row(i + 1) - cluster.affine.row(0)).tail<2>().transpose();
+  const Eigen::Matrix2d inverse = edges.inverse();
+  for (int j = 3; j < 6; ++j) {
+    if (!has_corner(cluster, j)) continue;
+    const Vec2 found = inverse * (cluster.affine.row(j) - cluster.affine.row(0)).tail<2>().transpose();
+    coordinates[j - 3] = found[0];
+    coordinates[j] = found[1];
+  }
+  return coordinates;
+}
+
+// Rows orthonormal to each other and to every affine function of the plane: the basis of outer corners
+// (bending.h), by Gram and Schmidt. A row is zero where its outer corner is missing.
+ThreeBySix affine_complement(const Cluster& cluster) {
+  const std::array<double, coordinate_rows> coordinates = outer_coordinates(cluster);
+  ThreeBySix q = ThreeBySix::Zero();
+  for (int j = 0; j < 3; ++j) {
+    if (!has_corner(cluster, 3 + j)) continue;
+    const double s = coordinates[j], t = coordinates[3 + j];
+    q.row(j).head<3>() << s + t - 1, -s, -t;
+    q(j, 3 + j) = 1;
+    for (int i = 0; i < j; ++i) q.row(j) -= q.row(j).dot(q.row(i)) * q.row(i);
+    q.row(j) /= q.row(j).norm();
+  }
+  return q;
 }
 
 // Six points near a conic leave one curvature nearly undetermined: it gets no less than this share of the
 // whole compliance. All others keep theirs, or thin triangles and stiff warps would bend too easily.
-Eigen::MatrixXd at_least(double share, const Eigen::MatrixXd& compliance) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(compliance);
-  const Eigen::VectorXd values = solver.eigenvalues().cwiseMax(share * compliance.trace());
-  return solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose();
-}
-
-// What turns residuals of the basis of outer corners (bending.h) into those of `q`: as each outer corner is
-// in one of the former alone, and with weight 1, q's columns there.
-Eigen::Matrix3d from_outer_basis(const Cluster& cluster, const Eigen::MatrixXd& q) {
-  Eigen::Matrix3d basis = Eigen::Matrix3d::Zero();
-  for (std::size_t i = 3; i < cluster.present.size(); ++i)
-    basis.col(static_cast<Eigen::Index>(cluster.present[i]) - 3).head(q.rows()) =
-        q.col(static_cast<Eigen::Index>(i));
-  return basis;
+Mat3 at_least(double share, const Mat3& compliance) {
+  const SymmetricEigen eigen = symmetric_eigen(compliance);
+  const Vec3 values = eigen.values.cwiseMax(share * compliance.trace());
+  return eigen.vectors * values.asDiagonal() * eigen.vectors.transpose();
 }
 
 // L of a symmetric matrix whose rows of missing corners are zeros.
@@ -96,43 +112,22 @@ Mat3 lower_root(const Mat3& matrix) {
 
 // With S = (G D^-1 G^T)^-1, the least energy of a quadratic surface that has the residuals r is 1/2 A r^T S r
 // (for six points G is square, and S = G^-T D G^-1); its implicit step is K = (S^-1 / (A h2) + q W q^T)^-1. L
-// of it, for the outer corners.
+// of it, for the outer corners: as each is in one residual of their basis alone, and with weight 1, q's
+// columns there turn residuals of that basis into those of q.
 Mat3 step_root(const Cluster& cluster, const Mat3& bending, double area_duration_squared,
-               const Eigen::VectorXd& inverse_masses) {
+               const Eigen::Matrix<double, 6, 1>& inverse_masses) {
   if (!(area_duration_squared > 0)) return Mat3::Zero();
-  const Eigen::MatrixXd q = affine_complement(cluster);
-  const Eigen::MatrixXd g = cluster.unit * cluster.unit * q * cluster.quadratic;
-  const Eigen::MatrixXd compliance = at_least(1e-3, g * bending.inverse() * g.transpose());
-  const Eigen::MatrixXd response = q * inverse_masses.asDiagonal() * q.transpose();
-  const Eigen::MatrixXd step = (compliance / area_duration_squared + response).inverse();
-  const Eigen::MatrixXd basis = from_outer_basis(cluster, q).topRows(q.rows());
-  return lower_root(basis.transpose() * step * basis);
-}
-
-// s_j, then t_j, of bending.h.
-std::array<double, coordinate_rows> outer_coordinates(const Cluster& cluster) {
-  std::array<double, coordinate_rows> coordinates{};
-  Eigen::Matrix2d edges;
-  for (int i = 0; i < 2; ++i)
-    edges.col(i) = (cluster.affine.row(i + 1) - cluster.affine.row(0)).tail<2>().transpose();
-  const Eigen::Matrix2d inverse = edges.inverse();
-  for (std::size_t i = 3; i < cluster.present.size(); ++i) {
-    const Vec2 from_first =
-        (cluster.affine.row(static_cast<Eigen::Index>(i)) - cluster.affine.row(0)).tail<2>().transpose();
-    const Vec2 found = inverse * from_first;
-    coordinates[cluster.present[i] - 3] = found[0];
-    coordinates[cluster.present[i]] = found[1];
-  }
-  return coordinates;
+  const ThreeBySix q = affine_complement(cluster);
+  const Mat3 g = cluster.unit * cluster.unit * q * cluster.quadratic;
+  const Mat3 compliance = at_least(1e-3, g * bending.inverse() * g.transpose());
+  const Mat3 response = q * inverse_masses.asDiagonal() * q.transpose();
+  const Mat3 step = (compliance / area_duration_squared + response).inverse();
+  return lower_root(q.rightCols<3>().transpose() * step * q.rightCols<3>());
 }
 
 // rho'. The own corners lie in the plane, so that r_j is the height of outer corner j.
 Vec3 rest_residuals(const Cluster& cluster, const Mat3& lower) {
-  Vec3 heights = Vec3::Zero();
-  for (std::size_t i = 3; i < cluster.present.size(); ++i)
-    heights[static_cast<Eigen::Index>(cluster.present[i]) - 3] =
-        cluster.heights[static_cast<Eigen::Index>(i)];
-  return lower.transpose() * heights;
+  return lower.transpose() * Vec3(cluster.heights[3], cluster.heights[4], cluster.heights[5]);
 }
 
 bool bends(const Sheet& sheet, int triangle) {
@@ -163,7 +158,8 @@ bool is_curved(const Sheet& sheet, const Clusters& clusters) {
   constexpr double flatness = 1e-6;
   for (std::size_t i = 0; i < clusters.triangles.size(); ++i) {
     const Cluster cluster = flatten(sheet, clusters.triangles[i], clusters.corners[i]);
-    if (cluster.heights.cwiseAbs().maxCoeff() > flatness * cluster.unit) return true;
+    for (const double height : cluster.heights)
+      if (std::abs(height) > flatness * cluster.unit) return true;
   }
   return false;
 }
@@ -184,9 +180,9 @@ struct ClusterRoots {
 ClusterRoots cluster_roots(const Sheet& sheet, int triangle, const std::array<int, 6>& corners,
                            const Cluster& cluster, const std::vector<double>& inverse_masses,
                            double pull_duration_squared, double damping_duration_squared) {
-  Eigen::VectorXd masses(static_cast<Eigen::Index>(cluster.present.size()));
-  for (std::size_t i = 0; i < cluster.present.size(); ++i)
-    masses[static_cast<Eigen::Index>(i)] = inverse_masses[corners[cluster.present[i]]];
+  Eigen::Matrix<double, 6, 1> masses = Eigen::Matrix<double, 6, 1>::Zero();
+  for (int i = 0; i < 6; ++i)
+    if (corners[i] >= 0) masses[i] = inverse_masses[corners[i]];
   const Mat3 bending = bending_tensor(material_of(sheet, triangle), cluster.warp);
   const double area = rest_area(sheet, triangle) * area_share(corners, inverse_masses);
   return {step_root(cluster, bending, area * pull_duration_squared, masses),

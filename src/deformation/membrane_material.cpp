@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/symmetric_eigen.h"
+
 namespace drape {
 
 // Strains (along, across, angle) in axes turned by the angle of `axis`, from those in the axes at hand.
@@ -36,6 +38,12 @@ Mat3 bending_tensor(const ElasticMaterial& material, const Vec2& warp) {
   return orthotropic(along, across, twist, material.poisson_ratio, warp);
 }
 
+// C^-1/2.
+static Mat3 inverse_root(const Mat3& tensor) {
+  const SymmetricEigen eigen = symmetric_eigen(tensor);
+  return eigen.vectors * eigen.values.cwiseSqrt().cwiseInverse().asDiagonal() * eigen.vectors.transpose();
+}
+
 BarSplit split_into_bars(const Mat3& tensor, const std::array<Vec2, 3>& directions) {
   const Mat3 compliance = tensor.inverse();
   BarSplit split{{}, Mat3::Zero()};
@@ -46,8 +54,8 @@ BarSplit split_into_bars(const Mat3& tensor, const std::array<Vec2, 3>& directio
     split.rest += split.bars[i] * strain * strain.transpose();
   }
   // The bars times 1 / (largest eigenvalue of C^-1 bars) would leave a tensor that is only semidefinite.
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Mat3> solver(split.rest, tensor, Eigen::EigenvaluesOnly);
-  const double share = 0.98 / solver.eigenvalues().maxCoeff();
+  const Mat3 root = inverse_root(tensor);
+  const double share = 0.98 / symmetric_eigen(root * split.rest * root).values.maxCoeff();
   for (double& bar : split.bars) bar *= share;
   split.rest = tensor - share * split.rest;
   return split;
