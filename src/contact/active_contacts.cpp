@@ -8,11 +8,10 @@
 namespace drape {
 namespace {
 
-// Old overlap heals by a twentieth of the thickness in a step, and only up to nine tenths of it: a push that
-// went all the way would meet the elastic pull, which is velocity where the push is not, and a fold at rest
-// would buzz.
-double healed_distance(double thickness, double distance) {
-  const double healed = std::min(0.9 * thickness, distance + 0.05 * thickness);
+// Old overlap heals only up to nine tenths of the thickness: a push that went all the way would meet the
+// elastic pull, which is velocity where the push is not, and a fold at rest would buzz.
+double healed_distance(const NarrowPhase& phase, double thickness, double distance) {
+  const double healed = std::min(0.9 * thickness, distance + phase.healing * thickness);
   return std::max(std::min(thickness, distance), healed);
 }
 
@@ -57,7 +56,7 @@ Contact make_contact(const NarrowPhase& phase, const ContactPair& pair, const Cl
   contact.weights = closest.weights;
   contact.normal = closest.difference / closest.distance;
   contact.target = pair.radius + std::min(pair.thickness, start_distance - pair.radius);
-  contact.push_target = pair.radius + healed_distance(pair.thickness, start_distance - pair.radius);
+  contact.push_target = pair.radius + healed_distance(phase, pair.thickness, start_distance - pair.radius);
   contact.friction = pair.friction;
   contact.turn = turning(phase, pair, closest, start, end);
   contact.thickness = pair.thickness;
@@ -149,7 +148,7 @@ static void add_plane_contact(const NarrowPhase& phase, const ContactPlane& plan
   contact.weights = {1, 0, 0, 0};
   contact.normal = up_end;
   contact.target = offset + std::min(cloth.thickness, start_height);
-  contact.push_target = offset + healed_distance(cloth.thickness, start_height);
+  contact.push_target = offset + healed_distance(phase, cloth.thickness, start_height);
   contact.friction = pair_friction(phase.geometry, phase.geometry.vertex_body[v], plane.body);
   contact.turn = -rigid_displacement(motion, phase.motion.start[v]);
   contact.thickness = cloth.thickness;

@@ -40,6 +40,7 @@ struct NarrowPhase {
   const ContactGeometry& geometry;
   const std::vector<BodyMotion>& bodies;
   StepMotion motion;
+  double healing;  // share of the thickness by which old overlap may heal in this step
 };
 
 // The listed pairs that come within their thickness on the way, each at the first time that they do (section

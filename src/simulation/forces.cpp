@@ -32,8 +32,9 @@ Vec3 force_of_air(const WindInput& wind, const Vec3& u, const Vec3& area) {
   return 0.5 * air_density * size * speed * (pressure + friction + lift);
 }
 
-// The same over one step that the force would last, cut as an implicit step cuts a linear drag. With f the
-// force, u the relative velocity and m the triangle's mass, which makes a third of the mass at its corners,
+// The same over all the steps that the force will last, cut as an implicit step cuts a linear drag. With f
+// the force, u the relative velocity and m the triangle's mass, which makes a third of the mass at its
+// corners,
 //   sum m |v - w|2 <= before - sum (2 h f.u - h2 |f|2 / m)
 // by Cauchy's inequality at each point, and the cut keeps h |f|2 / m under f.u.
 Vec3 lasting_force(const Vec3& force, const Vec3& u, double mass, double step) {
@@ -51,30 +52,36 @@ Vec3 air_on_triangle(const World& world, int t, double time, const std::vector<V
   const Vec3 u = air - (velocities[a] + velocities[b] + velocities[c]) / 3;
   const double mass = sheet.materials[sheet.triangle_materials[t]].density * rest_area(sheet, t);
   const Vec3 force = force_of_air(world.input.wind, u, 0.5 * doubled_area(triangle, x));
-  return lasting_force(force, u, mass, world.step);
+  return lasting_force(force, u, mass, world.steps_per_air * world.step);
 }
 
 bool has_air(const WindInput& wind) { return wind.drag > 0 || wind.tangential_drag > 0; }
 
-// Of each triangle; empty where nothing acts on triangles.
-std::vector<Vec3> triangle_forces(const World& world, double time, const std::vector<Vec3>& x,
-                                  const std::vector<Vec3>& velocities) {
-  const bool air = has_air(world.input.wind), pressure = !world.pressures.empty();
-  if (!air && !pressure) return {};
-  std::vector<Vec3> forces(world.sheet.triangles.size());
+// Of air and pressure on each triangle.
+std::vector<Vec3> with_pressure(const World& world, std::vector<Vec3> forces, const std::vector<Vec3>& x) {
+  forces.resize(world.sheet.triangles.size(), Vec3::Zero());
   parallel_for_each(forces.size(), block, [&](std::size_t t) {
-    forces[t].setZero();
-    if (air) forces[t] += air_on_triangle(world, static_cast<int>(t), time, x, velocities);
-    if (pressure) forces[t] += 0.5 * world.pressures[t] * doubled_area(world.sheet.triangles[t], x);
+    forces[t] += 0.5 * world.pressures[t] * doubled_area(world.sheet.triangles[t], x);
   });
   return forces;
 }
 
 }  // namespace
 
-void external_accelerations(const World& world, double time, const std::vector<Vec3>& positions,
-                            const std::vector<Vec3>& velocities, std::vector<Vec3>& accelerations) {
-  const std::vector<Vec3> forces = triangle_forces(world, time, positions, velocities);
+void feel_air(const World& world, double time, const std::vector<Vec3>& positions,
+              const std::vector<Vec3>& velocities, std::vector<Vec3>& air_forces) {
+  if (!has_air(world.input.wind)) return;
+  air_forces.resize(world.sheet.triangles.size());
+  parallel_for_each(air_forces.size(), block, [&](std::size_t t) {
+    air_forces[t] = air_on_triangle(world, static_cast<int>(t), time, positions, velocities);
+  });
+}
+
+void external_accelerations(const World& world, const std::vector<Vec3>& air_forces,
+                            const std::vector<Vec3>& positions, std::vector<Vec3>& accelerations) {
+  std::vector<Vec3> both;
+  if (!world.pressures.empty()) both = with_pressure(world, air_forces, positions);
+  const std::vector<Vec3>& forces = both.empty() ? air_forces : both;
   const Topology& topology = world.sheet.topology;
   accelerations.resize(positions.size());
   parallel_for_each(positions.size(), block, [&](std::size_t v) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/hash.h"
+#include "simulation/forces.h"
 #include "simulation/statistics.h"
 #include "simulation/step.h"
 #include "simulation/world.h"
@@ -44,6 +45,10 @@ FrameStatistics Simulation::advance_frame() {
   start_seams(world.seams, start, state.positions, state.seam_lengths);
   for (int i = 1; i <= world.steps_per_frame; ++i) {
     const double time = static_cast<double>(first_step + i) * world.step;
+    if ((i - 1) % world.steps_per_air == 0)
+      timed(profile, Phase::elastic, [&] {
+        feel_air(world, time - world.step, state.positions, state.velocities, scratch.air_forces);
+      });
     last = advance_step(world, time, state, scratch, profile);
     limited += last.limited_vertices;
   }

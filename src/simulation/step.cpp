@@ -37,7 +37,7 @@ void aim_colliders(const World& world, double time, const State& state, Scratch&
 // Sections 3 and 4: external forces, and x -> x**. Pieces that nothing holds keep their momenta (but
 // in the paper's own form, which leaves that open).
 void move_without_contact(const World& world, double time, const State& state, Scratch& scratch) {
-  external_accelerations(world, time - world.step, state.positions, state.velocities, scratch.accelerations);
+  external_accelerations(world, scratch.air_forces, state.positions, scratch.accelerations);
   scratch.free_positions = state.positions;
   scratch.free_velocities = state.velocities;
   const auto colliders = std::span<const BodyMotion>(scratch.bodies).subspan(world.input.cloths.size());

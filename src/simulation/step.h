@@ -13,6 +13,7 @@ namespace drape {
 // changes no result.
 struct Scratch {
   std::vector<Vec3> start, end;  // of all contact vertices: cloths, then colliders
+  std::vector<Vec3> air_forces;  // of each triangle, kept for steps_per_air steps
   std::vector<Vec3> accelerations;
   std::vector<Vec3> free_velocities;  // of the cloths' points, where there is no contact
   std::vector<Vec3> free_positions;   // x**

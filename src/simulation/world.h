@@ -19,6 +19,8 @@ struct World {
   SimulationInput input;
   int steps_per_frame = 1;
   double step = 0;  // seconds
+  // Air changes slowly, and costs as much as a sweep of clusters: its forces are felt anew only so often.
+  int steps_per_air = 1;
 
   Sheet sheet;  // all cloths as one mesh
   std::vector<double> masses;

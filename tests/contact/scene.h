@@ -39,7 +39,7 @@ struct Scene {
   std::vector<BodyMotion> bodies;
   std::vector<Vec3> start, end;
 
-  NarrowPhase phase() const { return {geometry, bodies, {start, end}}; }
+  NarrowPhase phase() const { return {geometry, bodies, {start, end}, 0.05}; }
   StepMotion motion() const { return {start, end}; }
 
   int add_cloth(const TriangleMesh& mesh, double thickness, double friction = 0) {

@@ -15,7 +15,9 @@ constexpr double air_density = 1.2;
 
 Vec3 sum_of_forces(const World& world, const State& state) {
   std::vector<Vec3> accelerations;
-  external_accelerations(world, 0, state.positions, state.velocities, accelerations);
+  std::vector<Vec3> air_forces;
+  feel_air(world, 0, state.positions, state.velocities, air_forces);
+  external_accelerations(world, air_forces, state.positions, accelerations);
   Vec3 sum = Vec3::Zero();
   for (std::size_t v = 0; v < accelerations.size(); ++v) sum += world.masses[v] * accelerations[v];
   return sum;
@@ -93,9 +95,11 @@ TEST(Air, NeverAddsRelativeMotion) {
         relative += world.masses[v] * (state.velocities[v] - input.wind.velocity).squaredNorm();
       EXPECT_LT(relative, before) << "coefficient " << coefficient << ", step " << i;
       before = relative;
-      external_accelerations(world, 0, state.positions, state.velocities, accelerations);
+      std::vector<Vec3> air_forces;
+      feel_air(world, 0, state.positions, state.velocities, air_forces);
+      external_accelerations(world, air_forces, state.positions, accelerations);
       for (std::size_t v = 0; v < state.positions.size(); ++v)
-        state.velocities[v] += world.step * accelerations[v];
+        state.velocities[v] += world.steps_per_air * world.step * accelerations[v];
     }
   }
 }
@@ -108,7 +112,9 @@ TEST(Air, LeavesPinnedPointsAndAVacuumAlone) {
   const World world = build_world(input);
   const State state = initial_state(world);
   std::vector<Vec3> accelerations;
-  external_accelerations(world, 0, state.positions, state.velocities, accelerations);
+  std::vector<Vec3> air_forces;
+  feel_air(world, 0, state.positions, state.velocities, air_forces);
+  external_accelerations(world, air_forces, state.positions, accelerations);
   for (int v = 0; v < 16; ++v)
     EXPECT_EQ(accelerations[v], v == 3 ? Vec3(Vec3::Zero()) : Vec3(0, -9.81, 0)) << v;
 }
