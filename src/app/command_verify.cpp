@@ -8,6 +8,7 @@
 #include "app/certificate_report.h"
 #include "app/commands.h"
 #include "app/exit_status.h"
+#include "app/fact_check.h"
 #include "app/fault_picture.h"
 #include "app/interrupt.h"
 #include "app/manifest.h"
@@ -35,7 +36,9 @@ struct Frames {
   int count = 0;
   std::function<FrameCertificate(int)> certify;
   std::function<Fault(int)> find_fault;  // of a frame that is not certified
-  fs::path folder;                       // for pictures; empty: none
+  // What a scene says that its frames must show.
+  std::function<std::vector<FactResult>(const std::vector<FrameCertificate>&)> check_facts;
+  fs::path folder;  // for pictures; empty: none
   std::function<std::string(int)> picture_name;
 };
 
@@ -100,6 +103,9 @@ static Frames frames_of_run(const Run& run, const CertifiedScene& scene, const O
   frames.count = static_cast<int>(numbers.size());
   frames.certify = [&scene, read](int i) { return certify_frame(scene, read(i)); };
   frames.find_fault = [&run, &scene, read](int i) { return fault_of(run, scene, read(i)); };
+  frames.check_facts = [&run, numbers](const std::vector<FrameCertificate>& certificates) {
+    return check_facts(run, numbers, certificates);
+  };
   frames.folder = options.output.empty() ? run.folder.root / "verify" : fs::path(options.output);
   frames.picture_name = [numbers](int i) { return frame_file_name(numbers[i], ".png"); };
   return frames;
@@ -125,6 +131,7 @@ static Frames frames_of_files(const MeshSequence& sequence, const Options& optio
     fault.triangle_name = [](int t) { return fmt::format("triangle {}", t + 1); };
     return fault;
   };
+  frames.check_facts = [](const std::vector<FrameCertificate>&) { return std::vector<FactResult>(); };
   frames.folder = options.output;
   frames.picture_name = [&sequence](int i) { return sequence.files[i].stem().string() + ".png"; };
   return frames;
@@ -178,10 +185,13 @@ static int report(const Frames& frames, const Options& options, const Console& c
   const ThreadLimit limit(options.threads);
   const std::vector<FrameCertificate> certificates = certify_all(frames, console);
   const CertificateSummary summary = summarize(certificates);
-  print_result(options.as_json ? to_json(summary, certificates)
-                               : certificate_table(certificates) + verdict(summary));
+  const std::vector<FactResult> facts = frames.check_facts(certificates);
+  print_result(options.as_json ? to_json(summary, certificates, facts)
+                               : certificate_table(certificates) + fact_table(facts) + verdict(summary));
   show_worst(frames, certificates, console);
-  return static_cast<int>(summary.failed == 0 ? ExitStatus::done : ExitStatus::simulation);
+  const bool facts_hold =
+      std::all_of(facts.begin(), facts.end(), [](const FactResult& f) { return f.holds; });
+  return static_cast<int>(summary.failed == 0 && facts_hold ? ExitStatus::done : ExitStatus::simulation);
 }
 
 static int verify_files(const Options& options, const Console& console) {

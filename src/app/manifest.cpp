@@ -137,8 +137,19 @@ static CertificateRecord record_from(const Json& json) {
   return record;
 }
 
-std::string to_json(const CertificateSummary& summary, const std::vector<FrameCertificate>& frames) {
+static Json fact_json(const FactResult& result) {
+  Json json = {{"fact", result.meaning}, {"holds", result.holds}, {"found", nullptr}};
+  if (!result.found) return json;
+  json["found"] = *result.found;
+  json["frame"] = result.frame;
+  return json;
+}
+
+std::string to_json(const CertificateSummary& summary, const std::vector<FrameCertificate>& frames,
+                    const std::vector<FactResult>& facts) {
   Json json = summary_json(summary);
+  json["test"] = Json::array();
+  for (const FactResult& result : facts) json["test"].push_back(fact_json(result));
   json["each"] = Json::array();
   for (const FrameCertificate& frame : frames) {
     Json entry = {{"frame", name_json(frame.name)}, {"certified", is_certified(frame)}};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/certificate_report.h"
+#include "app/fact_result.h"
 #include "simulation/simulation.h"
 
 namespace drape::app {
@@ -44,7 +45,8 @@ struct Manifest {
 
 // The only file pair that includes nlohmann-json.
 std::string to_json(const Manifest& manifest);
-std::string to_json(const CertificateSummary& summary, const std::vector<FrameCertificate>& frames);
+std::string to_json(const CertificateSummary& summary, const std::vector<FrameCertificate>& frames,
+                    const std::vector<FactResult>& facts);
 Manifest manifest_from_json(const std::string& text);  // throws std::runtime_error where it is no manifest
 
 // Nothing where there is no such file. Throws FileError where it is damaged.

@@ -78,6 +78,33 @@ struct DrapeTest {
   int support = 0;  // of the scene's colliders; its shape is a CylinderShape
 };
 
+// What the frames of a scene can be held to; scenes/reference.yaml says what each is, and in what unit.
+enum class FactQuantity {
+  largest_stretch,
+  p99_stretch,
+  smallest_stretch,
+  smallest_gap,
+  kinetic_energy,
+  largest_speed,
+  largest_lag,
+  contacts,
+  held_back,
+  lowest,
+  highest,
+  middle_x,
+  middle_y,
+  middle_z,
+  turn
+};
+
+// What a scene must show in each of the frames: a quantity between two bounds.
+struct SceneFact {
+  FactQuantity quantity{};
+  int first_frame = 1, last_frame = 1;
+  std::optional<int> cloth;  // of the scene's cloths, for what is said of places; nothing: of all together
+  std::optional<double> least, most;  // at least one of them
+};
+
 struct SceneDescription {
   std::string file;  // as the user named it
   std::string name;  // one line without /, at most 100 bytes
@@ -92,6 +119,7 @@ struct SceneDescription {
   std::vector<SeamInput> seams;
   CameraDescription camera;
   std::optional<DrapeTest> drape_test;
+  std::vector<SceneFact> facts;
   render::Sun sun;
   render::Sky sky;
   RenderDescription render;

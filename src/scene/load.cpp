@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-
 #include "scene/include.h"
 #include "scene/override.h"
 #include "scene/problem_list.h"
 #include "scene/read_cloths.h"
 #include "scene/read_colliders.h"
+#include "scene/read_facts.h"
+#include "scene/read_frame_range.h"
 #include "scene/read_measure.h"
 #include "scene/read_picture.h"
 #include "scene/read_seams.h"
@@ -19,37 +19,10 @@
 namespace drape {
 namespace {
 
-// "first-last", or a count from 1; nothing where the text is neither.
-std::optional<std::array<int, 2>> parse_frames(std::string_view text) {
-  const std::size_t dash = text.find('-');
-  const bool is_range = dash != std::string_view::npos;
-  const auto first = is_range ? parse_quantity(text.substr(0, dash), Quantity::plain) : ParsedNumber{1, {}};
-  const auto last = parse_quantity(text.substr(is_range ? dash + 1 : 0), Quantity::plain);
-  const auto fits = [](const ParsedNumber& number) {
-    return number.mistake.empty() && number.value >= 1 && number.value <= frame_rule.greatest &&
-           number.value == static_cast<int>(number.value);
-  };
-  if (!fits(first) || !fits(last) || first.value > last.value) return std::nullopt;
-  return std::array{static_cast<int>(first.value), static_cast<int>(last.value)};
-}
-
-void read_frames(const Section& time, TimeSettings& settings) {
-  const Node* node = find_value(time, "frames");
-  if (node == nullptr) return;
-  const auto frames = node->kind == Node::Kind::scalar ? parse_frames(node->text) : std::nullopt;
-  if (!frames)
-    return time.problems->add(node->place,
-                              fmt::format("time.frames must be `first-last` or a count, of frames "
-                                          "from 1 to {}, not {}",
-                                          frame_rule.greatest, describe(*node)));
-  settings.first_frame = (*frames)[0];
-  settings.last_frame = (*frames)[1];
-}
-
 void read_time(const Section& scene, TimeSettings& settings) {
   const Section time = open_section(scene, "time");
   read_number(time, "fps", settings.fps);
-  read_frames(time, settings);
+  read_frame_range(time, "frames", settings.first_frame, settings.last_frame);
   read_number(time, "step", settings.step);
 }
 
@@ -95,6 +68,7 @@ SceneDescription read_scene(const Node& root, const std::filesystem::path& path,
   description.colliders = read_colliders(scene, path.parent_path(), description.time.fps);
   description.seams = read_seams(scene, description.cloths, description.time.fps);
   read_measure(scene, description);
+  read_facts(scene, description);
   read_picture(scene, description);
   return description;
 }

@@ -185,6 +185,7 @@ std::vector<ClothDescription> read_cloths(const Section& scene, const std::files
     if (!mesh) continue;
     cloth.input.start_positions = placed(mesh->positions, place);
     cloth.input.mesh = std::move(*mesh);
+    read_numbers(section, "velocity", cloth.input.start_velocity);
     read_pressure(section, cloth.input);
     cloth.input.pins = read_pins(section, cloth.input, colliders, fps);
     cloths.push_back(std::move(cloth));

@@ -51,6 +51,11 @@ constexpr std::array<std::string_view, 4> edge_names = {"-x", "+x", "-z", "+z"};
 constexpr std::array<std::string_view, 3> model_names = {"shape_matching", "averaged", "mass_spring"};
 constexpr std::array<std::string_view, 3> quality_names = {"draft", "preview", "final"};
 
+constexpr std::array<std::string_view, 15> fact_names = {
+    "largest_stretch", "p99_stretch", "smallest_stretch", "smallest_gap", "kinetic_energy",
+    "largest_speed",   "largest_lag", "contacts",         "held_back",    "lowest",
+    "highest",         "middle_x",    "middle_y",         "middle_z",     "turn"};
+
 constexpr Key general_keys[] = {
     required(whole("version", 1, 1, "of this format")),
     of_kind(KeyKind::text, "name", "default: the name of the file without its ending"),
@@ -108,6 +113,7 @@ constexpr Key cloth_keys[] = {
     number("cloths.*.material.strain_limit", plain, 0, 10, "no edge stretches by more; 0: no limit"),
     number("cloths.*.material.friction", plain, 0, 10, "Coulomb's coefficient"),
 
+    numbers("cloths.*.velocity", 3, {speed, -100, 100}, "[x, y, z] at the start"),
     number("cloths.*.pressure", pressure, -100'000, 100'000, "of a closed cloth, inside over outside"),
 
     of_kind(KeyKind::list, "cloths.*.pins", "vertices that are held; each by corner, box or vertices"),
@@ -187,6 +193,15 @@ constexpr Key measure_keys[] = {
     required(of_kind(KeyKind::text, "measure.drape.support", "the cylinder that it lies on")),
 };
 
+constexpr Key fact_keys[] = {
+    of_kind(KeyKind::list, "test", "what `drape verify` holds the frames to"),
+    required(choice("test.*.what", fact_names, "the quantity")),
+    of_kind(KeyKind::frame_range, "test.*.frames", "default: all that are drawn"),
+    of_kind(KeyKind::text, "test.*.cloth", "whose place is meant; default: all cloths together"),
+    number("test.*.least", plain, -1e9, 1e9, "in SI units, turns in degrees"),
+    number("test.*.most", plain, -1e9, 1e9, "in SI units, turns in degrees"),
+};
+
 constexpr Key picture_keys[] = {
     section("camera", "looks at a point, from a place or from a circle round it"),
     numbers("camera.at", 3, position, "[x, y, z] of the eye; not used with orbit"),
@@ -223,7 +238,7 @@ constexpr Key picture_keys[] = {
 constexpr auto all_keys = [] {
   std::array<Key, std::size(general_keys) + std::size(material_keys) + std::size(cloth_keys) +
                       std::size(seam_keys) + std::size(collider_keys) + std::size(shared_keys) +
-                      std::size(measure_keys) + std::size(picture_keys)>
+                      std::size(measure_keys) + std::size(fact_keys) + std::size(picture_keys)>
       keys;
   std::size_t count = 0;
   const auto append = [&](const auto& part) {
@@ -236,6 +251,7 @@ constexpr auto all_keys = [] {
   append(collider_keys);
   append(shared_keys);
   append(measure_keys);
+  append(fact_keys);
   append(picture_keys);
   return keys;
 }();

@@ -22,7 +22,7 @@ namespace {
 
 // Part of every fingerprint. To be counted up with each change that makes the same scene move in another way,
 // or that adds a value to the fingerprint: what is in a cache from before is then not taken for the scene's.
-constexpr std::uint64_t fingerprint_version = 2;
+constexpr std::uint64_t fingerprint_version = 3;
 
 // Numbers go in as their bytes, lists after their length, so that no two scenes run together.
 class Fingerprint {
@@ -89,6 +89,7 @@ class Fingerprint {
   void add(const ClothInput& cloth) {
     add(cloth.mesh);
     add(cloth.start_positions);
+    add(cloth.start_velocity);
     add(cloth.material);
     add(cloth.pressure);
     add(std::uint64_t{cloth.pins.size()});

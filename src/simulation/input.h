@@ -32,8 +32,9 @@ struct PinInput {
 
 struct ClothInput {
   std::string name;
-  TriangleMesh mesh;                  // its positions are the rest shape
-  std::vector<Vec3> start_positions;  // one for each point
+  TriangleMesh mesh;                   // its positions are the rest shape
+  std::vector<Vec3> start_positions;   // one for each point
+  Vec3 start_velocity = Vec3::Zero();  // m/s, of all points
   ClothMaterial material;
   double pressure = 0;  // Pa, inside over outside of a closed cloth; it does not change
   std::vector<PinInput> pins;

@@ -158,9 +158,10 @@ World build_world(SimulationInput input) {
 
 State initial_state(const World& world) {
   State state;
-  for (const ClothInput& cloth : world.input.cloths)
+  for (const ClothInput& cloth : world.input.cloths) {
     state.positions.insert(state.positions.end(), cloth.start_positions.begin(), cloth.start_positions.end());
-  state.velocities.assign(state.positions.size(), Vec3::Zero());
+    state.velocities.resize(state.positions.size(), cloth.start_velocity);
+  }
   for (std::size_t c = 0; c < world.input.colliders.size(); ++c) {
     const RigidPose pose = pose_at(world.input.colliders[c].motion, 0);
     for (const Vec3& point : world.collider_points[c]) state.collider_points.push_back(pose(point));

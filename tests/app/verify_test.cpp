@@ -114,6 +114,45 @@ TEST_F(Verify, SaysAllInOneJsonObject) {
     EXPECT_TRUE(contains(out, part)) << part << " is not in " << out;
 }
 
+// The napkin falls from 0.45 m: in a frame of a 24th of a second by 9 mm at most.
+TEST_F(Verify, HoldsFramesToWhatTheSceneSaysOfThem) {
+  const std::string facts = R"(test=[
+      {what: highest, cloth: napkin, most: 0.4501, least: 0.44}, {what: lowest, least: 0.448},
+      {what: middle_x, frames: 2-3, least: -1e-3, most: 1e-3}, {what: turn, frames: 30-31, most: 1},
+      {what: largest_stretch, frames: 1-1, most: 0.5}])";
+  const Finished finished = verify({"-D", facts, "-f", "1"});
+  EXPECT_EQ(finished.exit_status, 4);
+  for (const char* line :
+       {"\nholds       highest of napkin, frames 1 to 3, at least 0.44, at most 0.4501: found 0.4",
+        "\nFAILS       lowest, frames 1 to 3, at least 0.448: found 0.44",
+        "\nnot tested  middle_x, frames 2 to 3, at least -0.001, at most 0.001: its frames "
+        "were not looked at\n",
+        "\nnot tested  turn, frames 30 to 31, at most 1: ",
+        "\nFAILS       largest_stretch, frame 1, at most 0.5: found 1"})
+    EXPECT_TRUE(contains(finished.out, line)) << line << " is not in " << finished.out;
+  EXPECT_TRUE(contains(finished.out, "\ncertified: 1 frame\n")) << finished.out;
+  const std::string json = verify({"-D", facts, "--json"}).out;
+  for (const char* part : {"\"test\": [", "\"fact\": \"lowest, frames 1 to 3, at least 0.448\"",
+                           "\"holds\": false", "\"frame\": 3"})
+    EXPECT_TRUE(contains(json, part)) << part << " is not in " << json;
+}
+
+TEST_F(Verify, FactsThatHoldLeaveTheExitStatusAlone) {
+  const Finished finished =
+      verify({"-D", "test=[{what: kinetic_energy, most: 10}, {what: smallest_gap, least: 1e-6}]"});
+  EXPECT_EQ(finished.exit_status, 0) << finished.out;
+}
+
+// A quarter turn about the vertical, and the middle carried along.
+TEST_F(Verify, TurnsAndPlacesAreThoseOfTheCloth) {
+  change_frame(3, [](std::vector<Vec3f>& x) {
+    for (Vec3f& p : x) p = Vec3f(p.z() + 2, p.y() + 1, -p.x());
+  });
+  const Finished finished = verify({"-D", R"(test=[{what: turn, frames: 3-3, least: 89.9, most: 90.1},
+      {what: middle_x, frames: 3-3, least: 1.99, most: 2.01}, {what: middle_z, frames: 3-3, least: -0.01, most: 0.01}])"});
+  EXPECT_EQ(finished.exit_status, 0) << finished.out;
+}
+
 TEST_F(Verify, SaysWhichFramesAreMissingAndWhatToDo) {
   const Finished none = run_drape({"verify", write_scene(folder, "new", 2)});
   EXPECT_EQ(none.exit_status, 3);

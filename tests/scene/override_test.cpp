@@ -49,7 +49,7 @@ TEST(Override, ProblemsComeAfterThoseOfTheFile) {
   EXPECT_EQ(
       errors_of(smallest_scene + "x: 1\n", {"time.fps=0"}),
       "scene.yaml:3:1: error: unknown key `x` in the scene; known keys: version, name, vars, include, time, "
-      "simulation, materials, cloths, seams, colliders, measure, camera, lights, render\n"
+      "simulation, materials, cloths, seams, colliders, measure, test, camera, lights, render\n"
       "-D time.fps=0: error: time.fps must be from 1 to 1000, but is `0`");
 }
 

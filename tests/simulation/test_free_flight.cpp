@@ -99,5 +99,18 @@ TEST(FreeFlight, OnePieceDoesNotPullAnother) {
   for (std::size_t v = 64; v < 128; ++v) EXPECT_LT(simulation.state().velocities[v].norm(), 1e-4);
 }
 
+TEST(FreeFlight, AThrownSheetGoesWhereItWasThrown) {
+  SimulationInput input = simulate_alone(sheet(0.3, 8, 1));
+  remove_air(input);
+  input.cloths[0].start_velocity = Vec3(3, 2, -1);
+  Simulation simulation(input);
+  const std::vector<Vec3> start = simulation.state().positions;
+  advance(simulation, 6);
+  const double time = 6 * input.frame_duration, step = input.frame_duration / simulation.steps_per_frame();
+  const Vec3 fall = 0.5 * input.gravity * time * (time + step);  // as steps sum it up
+  for (std::size_t v = 0; v < start.size(); ++v)
+    EXPECT_LT((simulation.state().positions[v] - start[v] - time * Vec3(3, 2, -1) - fall).norm(), 1e-6);
+}
+
 }  // namespace
 }  // namespace drape
