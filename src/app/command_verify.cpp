@@ -84,11 +84,11 @@ static bool is_clean(const CertifiedSurface& surface) {
 static Fault fault_of(const Run& run, const CertifiedScene& scene, const CachedFrame& frame) {
   Fault fault;
   fault.surface = simulated_surface(scene, frame);
-  fault.certified = certify(fault.surface, scene, frame);
+  fault.certified = certify(fault.surface, scene.drawn.solids, frame.collider_poses);
   fault.triangle_name = [&run](int t) { return name_in_cloth(run.scene, t); };
   if (!is_clean(fault.certified)) return fault;
   fault.surface = drawn_surface(scene, frame);
-  fault.certified = certify(fault.surface, scene, frame);
+  fault.certified = certify(fault.surface, scene.drawn.solids, frame.collider_poses);
   fault.triangle_name = [&run, &scene](int t) { return name_in_drawn(scene, run.scene, t); };
   return fault;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/frame_certificate.h"
+#include "app/surface_check.h"
 #include "render/image.h"
 
 namespace drape::app {

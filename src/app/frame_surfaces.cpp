@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "app/collider_surface.h"
+#include "app/drawn_points.h"
 #include "app/view.h"
 
 namespace drape::app {
@@ -47,19 +48,13 @@ PreparedScene prepare_scene(const SceneDescription& scene) {
   }
   for (const ColliderDescription& collider : scene.colliders) {
     const bool is_plane = std::holds_alternative<PlaneShape>(collider.input.shape);
+    prepared.solids.push_back(certified_collider(collider.input.shape));
     prepared.colliders.push_back({collider_surface(collider), is_plane, collider.visible});
   }
   return prepared;
 }
 
-std::vector<Vec3f> drawn_points(const PreparedCloth& cloth, const CachedFrame& frame) {
-  const auto begin = frame.positions.begin() + static_cast<std::ptrdiff_t>(cloth.first_point);
-  const std::vector<Vec3f> positions(begin, begin + static_cast<std::ptrdiff_t>(cloth.point_count));
-  return cloth.subdivision ? cloth.subdivision->apply(positions) : positions;
-}
-
-static render::Surface cloth_surface(const PreparedCloth& cloth, const CachedFrame& frame) {
-  const std::vector<Vec3f> positions = drawn_points(cloth, frame);
+static render::Surface cloth_surface(const PreparedCloth& cloth, const std::vector<Vec3f>& positions) {
   render::Surface surface;
   surface.normals = gather(vertex_normals(positions, cloth.triangles), cloth.vertices.point_of);
   surface.positions = gather(positions, cloth.vertices.point_of);
@@ -72,7 +67,9 @@ static render::Surface cloth_surface(const PreparedCloth& cloth, const CachedFra
 
 std::vector<render::Surface> frame_surfaces(const PreparedScene& scene, const CachedFrame& frame) {
   std::vector<render::Surface> surfaces;
-  for (const PreparedCloth& cloth : scene.cloths) surfaces.push_back(cloth_surface(cloth, frame));
+  const std::vector<std::vector<Vec3f>> points = drawn_points(scene, frame);
+  for (std::size_t i = 0; i < scene.cloths.size(); ++i)
+    surfaces.push_back(cloth_surface(scene.cloths[i], points[i]));
   for (std::size_t i = 0; i < scene.colliders.size(); ++i) {
     const PreparedCollider& collider = scene.colliders[i];
     const RigidPose& pose = frame.collider_poses[i];

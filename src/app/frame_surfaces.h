@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/crease.h"
+#include "app/surface_check.h"
 #include "mesh/loop_subdivision.h"
 #include "render/view.h"
 #include "scene/description.h"
@@ -33,11 +34,9 @@ struct PreparedCollider {
 struct PreparedScene {
   std::vector<PreparedCloth> cloths;
   std::vector<PreparedCollider> colliders;
+  std::vector<CertifiedCollider> solids;  // what smoothed cloth must not enter, one for each collider
 };
 PreparedScene prepare_scene(const SceneDescription& scene);
-
-// The points of a cloth that is drawn, in a frame: what its triangles are indices into.
-std::vector<Vec3f> drawn_points(const PreparedCloth& cloth, const CachedFrame& frame);
 
 // The surfaces of one frame.
 std::vector<render::Surface> frame_surfaces(const PreparedScene& scene, const CachedFrame& frame);

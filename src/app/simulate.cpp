@@ -150,6 +150,26 @@ static void advance_to_last_frame(Simulation& simulation, Run& run, const Consol
   keeper.save(simulation.state());
 }
 
+// What did not go where its keyframes say, because cloth or a collider was in the way.
+static void tell_lags(const Run& run, const Console& console) {
+  constexpr double seconds_noticed = 0.01, metres_noticed = 0.001;
+  double collider = 0, pin = 0;
+  int collider_frame = 0, pin_frame = 0;
+  for (const auto& [frame, record] : run.manifest.frames) {
+    if (record.statistics.largest_lag > collider)
+      collider = record.statistics.largest_lag, collider_frame = frame;
+    if (record.statistics.largest_pin_lag > pin) pin = record.statistics.largest_pin_lag, pin_frame = frame;
+  }
+  if (collider > seconds_noticed)
+    warn(console, fmt::format("cloth holds a collider up: in frame {} it is {:.3g} s behind its keyframes",
+                              collider_frame, collider));
+  if (pin > metres_noticed)
+    warn(console,
+         fmt::format("something is in the way of a pin: in frame {} its vertices are up to {:.3g} mm from "
+                     "where it would have them",
+                     pin_frame, 1000 * pin));
+}
+
 static void simulate_from(std::optional<State> checkpoint, Run& run, const Console& console) {
   const StageTimer timer(run.manifest.stages["simulate"]);
   Simulation simulation(simulation_input(run.scene));
@@ -158,6 +178,7 @@ static void simulate_from(std::optional<State> checkpoint, Run& run, const Conso
     simulation.restore(std::move(*checkpoint));
   }
   advance_to_last_frame(simulation, run, console);
+  tell_lags(run, console);
 }
 
 void simulate(Run& run, const Options& options, const Console& console) {

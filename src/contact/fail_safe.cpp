@@ -208,7 +208,7 @@ void hold_over_planes(const Work& work) {
   for (const ContactPlane& plane : work.phase.geometry.planes)
     for (const ContactBody& body : work.phase.geometry.bodies)
       for (int v = body.vertex_begin; body.is_cloth && v < body.vertex_end; ++v)
-        if (work.phase.geometry.inverse_masses[v] > 0) hold_over_plane(work, plane, v);
+        hold_over_plane(work, plane, v);
 }
 
 // A rigid collider goes one share: the least of its vertices'.

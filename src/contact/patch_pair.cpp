@@ -54,13 +54,7 @@ Boxed select_triangles(const Listing& listing, const Patch& patch, const Bounds&
       listing, patch.triangles, region, [&](int t) -> const auto& { return listing.geometry.triangles[t]; });
 }
 
-bool all_kinematic(const ContactGeometry& geometry, const std::array<int, 4>& vertices) {
-  return std::all_of(vertices.begin(), vertices.end(),
-                     [&](int v) { return geometry.inverse_masses[v] == 0; });
-}
-
 void add_pair(const Listing& listing, PairKind kind, const std::array<int, 4>& vertices) {
-  if (all_kinematic(listing.geometry, vertices)) return;
   const double distance = closest_points(kind, gather(listing.x, vertices)).distance;
   if (distance > listing.reach) return;
   const double thickness = pair_thickness(listing.geometry, kind, vertices);

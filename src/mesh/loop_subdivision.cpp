@@ -108,7 +108,7 @@ struct LoopSubdivision::Tables {
   std::vector<Triangle> triangles;
   std::vector<Vec2f> uvs;
   std::vector<Triangle> uv_triangles;
-  Stencils stencils;  // none at level 0
+  Stencils stencils, flat_stencils;  // none at level 0
 };
 
 LoopSubdivision::LoopSubdivision(const TriangleMesh& mesh, int levels) : tables_(std::make_unique<Tables>()) {
@@ -127,6 +127,7 @@ LoopSubdivision::LoopSubdivision(const TriangleMesh& mesh, int levels) : tables_
     if (has_uvs) tables_->uv_triangles.push_back(to_triangle(finest.GetFaceFVarValues(face, uv_channel)));
   }
   tables_->stencils = stencils_of(*refiner, StencilFactory::INTERPOLATE_VERTEX);
+  tables_->flat_stencils = stencils_of(*refiner, StencilFactory::INTERPOLATE_VARYING);
   if (!has_uvs) return;
   const Stencils uv_stencils = stencils_of(*refiner, StencilFactory::INTERPOLATE_FACE_VARYING);
   tables_->uvs = apply_stencils(*uv_stencils, tables_->uvs);
@@ -141,6 +142,9 @@ const std::vector<Triangle>& LoopSubdivision::uv_triangles() const { return tabl
 
 std::vector<Vec3f> LoopSubdivision::apply(const std::vector<Vec3f>& positions) const {
   return tables_->stencils ? apply_stencils(*tables_->stencils, positions) : positions;
+}
+std::vector<Vec3f> LoopSubdivision::apply_flat(const std::vector<Vec3f>& positions) const {
+  return tables_->flat_stencils ? apply_stencils(*tables_->flat_stencils, positions) : positions;
 }
 
 }  // namespace drape

@@ -21,8 +21,10 @@ class LoopSubdivision {
   const std::vector<Triangle>& triangles() const;  // the refined triangles
   const std::vector<Vec2f>& uvs() const;           // refined linearly; empty where the mesh has none
   const std::vector<Triangle>& uv_triangles() const;
-  std::vector<Vec3f> apply(
-      const std::vector<Vec3f>& positions) const;  // one for each coarse point -> refined
+  // One position for each coarse point -> one for each refined point: smoothed, or left in the coarse
+  // triangles.
+  std::vector<Vec3f> apply(const std::vector<Vec3f>& positions) const;
+  std::vector<Vec3f> apply_flat(const std::vector<Vec3f>& positions) const;
 
  private:
   struct Tables;

@@ -1,5 +1,6 @@
 #include "simulation/pins.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace drape {
@@ -63,17 +64,51 @@ void grab(const std::vector<Pin>& pins, double time, State& state) {
   }
 }
 
-void place_pinned(const std::vector<Pin>& pins, double begin, double end, const State& state,
-                  std::span<const BodyMotion> colliders, std::vector<Vec3>& x) {
+namespace {
+
+// Calls visit(vertex, place at the start, place at the end) for all that the pins hold at `begin`.
+template <typename Visit>
+void for_each_held(const std::vector<Pin>& pins, double begin, double end, const State& state,
+                   std::span<const BodyMotion> colliders, const Visit& visit) {
   for (const Pin& pin : pins) {
     if (!holds(pin, begin)) continue;
     const auto grabs = std::span(state.grabs).subspan(pin.first_grab, pin.vertices.size());
+    BodyMotion way;
+    if (pin.collider)
+      way = colliders[*pin.collider];
+    else if (pin.motion)
+      way = {way_since_grab(pin, begin, grabs), way_since_grab(pin, end, grabs)};
     const bool rests = !pin.motion && !pin.collider;
-    const RigidPose way = rests          ? RigidPose()
-                          : pin.collider ? colliders[*pin.collider].end
-                                         : way_since_grab(pin, end, grabs);
-    for (std::size_t i = 0; i < grabs.size(); ++i) x[pin.vertices[i]] = rests ? grabs[i] : way(grabs[i]);
+    for (std::size_t i = 0; i < grabs.size(); ++i)
+      visit(pin.vertices[i], rests ? grabs[i] : way.start(grabs[i]), rests ? grabs[i] : way.end(grabs[i]));
   }
+}
+
+// Most vertices are where their pin has them. One that lags comes after it with haste, not in one leap.
+Vec3 towards(const Vec3& place, const Vec3& pin_start, const Vec3& pin_end, double duration) {
+  constexpr double haste = 0.5;  // m/s
+  const Vec3 way = pin_end - place;
+  const double longest = (pin_end - pin_start).norm() + haste * duration, length = way.norm();
+  return length > longest ? Vec3(place + way * (longest / length)) : pin_end;
+}
+
+}  // namespace
+
+void place_pinned(const std::vector<Pin>& pins, double begin, double end, const State& state,
+                  std::span<const BodyMotion> colliders, std::vector<Vec3>& x) {
+  for_each_held(pins, begin, end, state, colliders, [&](int v, const Vec3& pin_start, const Vec3& pin_end) {
+    x[v] = towards(x[v], pin_start, pin_end, end - begin);
+  });
+}
+
+double largest_pin_lag(const std::vector<Pin>& pins, double time, const State& state) {
+  std::vector<BodyMotion> colliders;
+  for (const RigidPose& pose : state.collider_poses) colliders.push_back({pose, pose});
+  double largest = 0;
+  for_each_held(pins, time, time, state, colliders, [&](int v, const Vec3& place, const Vec3&) {
+    largest = std::max(largest, (state.positions[v] - place).norm());
+  });
+  return largest;
 }
 
 }  // namespace drape

@@ -31,8 +31,12 @@ std::vector<char> pinned_vertices(const std::vector<Pin>& pins, std::size_t coun
 void grab(const std::vector<Pin>& pins, double time, State& state);
 
 // Moves what the pins hold during a step from `begin` to `end` (s) to where it is at its end: `colliders` are
-// the ways of all colliders in that step.
+// the ways of all colliders in that step. What contact has kept from getting there catches up at no more than
+// half a metre a second over the pin's own pace.
 void place_pinned(const std::vector<Pin>& pins, double begin, double end, const State& state,
                   std::span<const BodyMotion> colliders, std::vector<Vec3>& x);
+
+// How far the pinned vertex is that is farthest from where its pin would have it at `time` (s), in m.
+double largest_pin_lag(const std::vector<Pin>& pins, double time, const State& state);
 
 }  // namespace drape

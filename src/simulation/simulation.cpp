@@ -39,8 +39,7 @@ FrameStatistics Simulation::advance_frame() {
   int limited = 0;
   const long first_step = static_cast<long>(state.frame) * world.steps_per_frame;
   const double start = state.frame * world.input.frame_duration;
-  // Lists leave out pairs that are pinned on both sides.
-  if (update_pins(world, start)) scratch.proximity = start_proximity(world.geometry);
+  update_pins(world, start);
   grab(world.pins, start, state);
   start_seams(world.seams, start, state.positions, state.seam_lengths);
   for (int i = 1; i <= world.steps_per_frame; ++i) {
@@ -60,6 +59,7 @@ FrameStatistics Simulation::advance_frame() {
   const double now = state.frame * world.input.frame_duration;
   for (const double reached : state.collider_times)
     statistics.largest_lag = std::max(statistics.largest_lag, now - reached);
+  statistics.largest_pin_lag = largest_pin_lag(world.pins, now, state);
   statistics.profile = profile;
   return statistics;
 }

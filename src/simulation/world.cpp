@@ -173,11 +173,9 @@ State initial_state(const World& world) {
   return state;
 }
 
-bool update_pins(World& world, double time) {
+void update_pins(World& world, double time) {
   std::vector<char> pinned = pinned_vertices(world.pins, world.masses.size(), time);
-  if (pinned == world.pinned) return false;
-  build_pinned_parts(world, std::move(pinned));
-  return true;
+  if (pinned != world.pinned) build_pinned_parts(world, std::move(pinned));
 }
 
 }  // namespace drape

@@ -47,8 +47,7 @@ StepChoice choose_steps(const SimulationInput& input);
 World build_world(SimulationInput input);
 State initial_state(const World& world);
 
-// Brings all that depends on which pins hold up to `time`; does nothing where none has changed. Returns
-// whether one has.
-bool update_pins(World& world, double time);
+// Brings all that depends on which pins hold up to `time`; does nothing where none has changed.
+void update_pins(World& world, double time);
 
 }  // namespace drape

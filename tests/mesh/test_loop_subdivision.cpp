@@ -177,5 +177,27 @@ TEST(VertexNormals, WithoutATriangleThereIsStillOne) {
   for (const Vec3f& n : normals) EXPECT_EQ(n, Vec3f(0, 1, 0));
 }
 
+// Each triangle becomes four for a level, and none of their corners leaves its plane.
+TEST(LoopSubdivision, FlatPointsLieInTheCoarseTriangles) {
+  TriangleMesh mesh;
+  mesh.positions = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 1)};
+  mesh.triangles = {{0, 1, 2}, {1, 3, 2}};
+  const LoopSubdivision subdivision(mesh, 2);
+  std::vector<Vec3f> coarse;
+  for (const Vec3& p : mesh.positions) coarse.push_back(p.cast<float>());
+  const std::vector<Vec3f> flat = subdivision.apply_flat(coarse), smooth = subdivision.apply(coarse);
+  ASSERT_EQ(flat.size(), smooth.size());
+  ASSERT_EQ(flat.size(), 25u);
+  for (const Vec3f& p : flat) {
+    const float beyond_fold =
+        p.x() + p.y() - 1;  // x + y = 1 is the edge that both share; beyond it z = x + y - 1
+    EXPECT_NEAR(p.z(), std::max(0.0f, beyond_fold), 1e-6f) << p.transpose();
+  }
+  double area = 0;
+  for (const auto& [a, b, c] : subdivision.triangles())
+    area += 0.5 * (flat[b] - flat[a]).cross(flat[c] - flat[a]).norm();
+  EXPECT_NEAR(area, 0.5 + 0.5 * std::sqrt(3.0), 1e-6);
+}
+
 }  // namespace
 }  // namespace drape

@@ -87,5 +87,46 @@ TEST(Pins, HandOverFromOneToTheNext) {
   EXPECT_NEAR(simulation.state().positions[0].y(), 1.5, 1e-9);
 }
 
+// Goes 0.15 m under the ground within half a second, and comes up again.
+TEST(Pins, StopAtTheGroundAndCatchUpWhenTheyCan) {
+  SimulationInput input = simulate_alone(sheet(0.3, 8, 0.1));
+  input.colliders.push_back(ground());
+  RigidMotion dive;
+  dive.translate[1] = {{0.0, 0.0}, {0.5, -0.25}, {1.0, 0.0}};
+  input.cloths[0].pins.push_back({{0, 1}, dive});
+  Simulation simulation(input);
+  double largest_lag = 0;
+  FrameStatistics statistics;
+  for (int frame = 1; frame <= 40; ++frame) {
+    statistics = simulation.advance_frame();
+    largest_lag = std::max(largest_lag, statistics.largest_pin_lag);
+    EXPECT_GT(lowest_point(simulation), 0) << "frame " << frame;
+    EXPECT_EQ(statistics.largest_lag, 0) << "the ground stays";
+  }
+  EXPECT_NEAR(largest_lag, 0.15, 0.01);
+  EXPECT_LT(statistics.largest_pin_lag, 1e-9);
+  EXPECT_NEAR(simulation.state().positions[0].y(), 0.1, 1e-9);
+}
+
+// The way of the pin goes straight through the ball.
+TEST(Pins, DoNotPullClothThroughABall) {
+  SimulationInput input = simulate_alone(sheet(0.3, 8, 0));
+  input.gravity.setZero();
+  input.colliders.push_back({"ball", SphereShape{0.1}, {}, 0.3});
+  input.colliders[0].motion.at = Vec3(0.4, 0, 0);
+  RigidMotion way;
+  way.translate[0] = {{0.0, 0.0}, {1.0, 0.5}};
+  input.cloths[0].pins.push_back({{31, 39}, way});
+  Simulation simulation(input);
+  double largest_lag = 0;
+  for (int frame = 1; frame <= 30; ++frame) {
+    largest_lag = std::max(largest_lag, simulation.advance_frame().largest_pin_lag);
+    for (const Vec3& p : simulation.state().positions)
+      EXPECT_GT((p - simulation.state().collider_poses[0].translation).norm(), 0.1) << "frame " << frame;
+    EXPECT_EQ(intersecting_pairs(simulation), 0) << "frame " << frame;
+  }
+  EXPECT_GT(largest_lag, 0.02);
+}
+
 }  // namespace
 }  // namespace drape

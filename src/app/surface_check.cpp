@@ -1,0 +1,96 @@
+#include "app/surface_check.h"
+
+#include <algorithm>
+
+#include "app/collider_surface.h"
+#include "core/parallel.h"
+
+namespace drape::app {
+
+namespace {
+
+struct SolidOf {
+  std::optional<Solid> operator()(const PlaneShape&) const { return HalfSpace{}; }
+  std::optional<Solid> operator()(const SphereShape& sphere) const {
+    return RoundedSegment{Vec3::Zero(), Vec3::Zero(), sphere.radius};
+  }
+  std::optional<Solid> operator()(const CapsuleShape& capsule) const {
+    const Vec3 half(0, 0.5 * capsule.length, 0);
+    return RoundedSegment{-half, half, capsule.radius};
+  }
+  std::optional<Solid> operator()(const BoxShape& box) const { return convex_solid(collider_mesh(box)); }
+  std::optional<Solid> operator()(const CylinderShape& cylinder) const {
+    return convex_solid(collider_mesh(cylinder));
+  }
+  // Which side of an open mesh is inside, nobody knows.
+  std::optional<Solid> operator()(const MeshShape&) const { return std::nullopt; }
+};
+
+}  // namespace
+
+// Spheres, capsules and planes are exact: the triangles that they are drawn with would be another collider.
+CertifiedCollider certified_collider(const ColliderShape& shape) {
+  CertifiedCollider collider{std::visit(SolidOf{}, shape), std::nullopt};
+  const bool is_of_triangles = !collider.solid || std::holds_alternative<ConvexSolid>(*collider.solid);
+  if (is_of_triangles) collider.surface = collider_mesh(shape);
+  return collider;
+}
+
+CertifiedSurface certify(const ClothSurface& surface) {
+  SurfaceCertificate certificate = certify_surface(surface.positions, surface.triangles);
+  CertifiedSurface certified;
+  certified.is_finite = certificate.is_finite;
+  certified.figures.intersecting_pairs = static_cast<int>(certificate.intersecting.size());
+  certified.figures.smallest_gap = certificate.smallest_gap.distance;
+  certified.intersecting = std::move(certificate.intersecting);
+  return certified;
+}
+
+// For each triangle how deep it is in the solid.
+static std::vector<double> depths(const ClothSurface& surface, const Solid& solid, const RigidPose& pose) {
+  std::vector<Vec3> points;
+  for (const Vec3& p : surface.positions)
+    points.push_back(pose.rotation.transpose() * (p - pose.translation));
+  std::vector<double> depth(surface.triangles.size());
+  parallel_for_each(depth.size(), 1024, [&](std::size_t t) {
+    const auto& [a, b, c] = surface.triangles[t];
+    depth[t] = depth_in(solid, {points[a], points[b], points[c]});
+  });
+  return depth;
+}
+
+static std::vector<int> triangles_at(const ClothSurface& surface, const TriangleMesh& mesh,
+                                     const RigidPose& pose) {
+  std::vector<Vec3> points;
+  for (const Vec3& p : mesh.positions) points.push_back(pose(p));
+  return triangles_that_meet(surface.positions, surface.triangles, points, mesh.triangles);
+}
+
+static void judge_against(const CertifiedCollider& collider, const RigidPose& pose,
+                          const ClothSurface& surface, CertifiedSurface& certified) {
+  std::vector<int>& found = certified.in_colliders;
+  if (collider.surface) {
+    const std::vector<int> meeting = triangles_at(surface, *collider.surface, pose);
+    found.insert(found.end(), meeting.begin(), meeting.end());
+  }
+  if (!collider.solid) return;
+  const std::vector<double> depth = depths(surface, *collider.solid, pose);
+  for (std::size_t t = 0; t < depth.size(); ++t) {
+    if (depth[t] > 0) found.push_back(static_cast<int>(t));
+    certified.figures.collider_depth = std::max(certified.figures.collider_depth, depth[t]);
+  }
+}
+
+CertifiedSurface certify(const ClothSurface& surface, const std::vector<CertifiedCollider>& colliders,
+                         const std::vector<RigidPose>& poses) {
+  CertifiedSurface certified = certify(surface);
+  for (std::size_t i = 0; i < colliders.size(); ++i)
+    judge_against(colliders[i], poses[i], surface, certified);
+  std::vector<int>& found = certified.in_colliders;
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  certified.figures.collider_triangles = static_cast<int>(found.size());
+  return certified;
+}
+
+}  // namespace drape::app
