@@ -4,6 +4,8 @@
 #include "app/exit_status.h"
 #include "app/failure.h"
 #include "app/run.h"
+#include "app/start.h"
+#include "core/error.h"
 #include "scene/load.h"
 
 namespace drape::app {
@@ -11,7 +13,9 @@ namespace drape::app {
 static int validate(const std::string& input, const Options& options, const Console& console) {
   try {
     const SceneSource source = find_scene(input, options.overrides);
-    load_scene(source.file, source.overrides);
+    const SceneDescription scene = load_scene(source.file, source.overrides);
+    if (auto problems = start_problems(scene, find_start(scene)); !problems.empty())
+      throw InputError(std::move(problems));
     print_result(input + ": ok");
     return static_cast<int>(ExitStatus::done);
   } catch (...) {

@@ -15,6 +15,7 @@
 #include "app/mesh_sequence.h"
 #include "app/progress.h"
 #include "app/run.h"
+#include "app/triangle_names.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "render/png_file.h"
@@ -54,30 +55,6 @@ static void need_frames(const Run& run, const std::vector<int>& frames, bool all
         run.folder.cache().string(),
         fmt::format("there is no frame {} yet: run 'drape simulate {}'{}", frame, run.input, way_out));
   }
-}
-
-// "triangle 12 of napkin", counted from 1.
-static std::string name_in_cloth(const SceneDescription& scene, int triangle) {
-  for (const ClothDescription& cloth : scene.cloths) {
-    const int count = static_cast<int>(cloth.input.mesh.triangles.size());
-    if (triangle < count) return fmt::format("triangle {} of {}", triangle + 1, cloth.input.name);
-    triangle -= count;
-  }
-  return "";
-}
-
-static std::string name_in_drawn(const CertifiedScene& scene, const SceneDescription& names, int triangle) {
-  for (std::size_t i = 0; i < names.cloths.size(); ++i) {
-    const int count = static_cast<int>(scene.drawn.cloths[i].triangles.size());
-    if (triangle < count)
-      return fmt::format("drawn triangle {} of {}", triangle + 1, names.cloths[i].input.name);
-    triangle -= count;
-  }
-  return "";
-}
-
-static bool is_clean(const CertifiedSurface& surface) {
-  return surface.is_finite && surface.intersecting.empty() && surface.in_colliders.empty();
 }
 
 // What is simulated counts first: where it is at fault, what is drawn follows.

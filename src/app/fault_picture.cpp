@@ -134,6 +134,7 @@ render::Image draw_faults(const ClothSurface& surface, const std::vector<int>& f
   }
   render::View view;
   view.camera = camera_on(surface, faulty);
+  view.sun.direction = view.camera.target - view.camera.eye;  // faults are seen from below too
   render::Rasterizer rasterizer;
   return rasterizer.draw(surfaces, view, picture_size);
 }

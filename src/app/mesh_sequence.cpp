@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <map>
 
 #include "core/error.h"
 #include "mesh/mesh_file.h"
@@ -130,15 +129,11 @@ MeshSequence open_mesh_sequence(const std::vector<std::string>& inputs, const st
   return sequence;
 }
 
-static std::string size_text(const PolygonSoup& soup) {
-  return fmt::format("{} points and {} faces", soup.points.size(), soup.polygon_ends.size());
-}
-
 static void check_same_faces(const MeshSequence& sequence, const fs::path& file, const PolygonSoup& soup) {
   const PolygonSoup& rest = sequence.rest;
+  if (have_same_faces(soup, rest)) return;
   const bool same_size =
       soup.points.size() == rest.points.size() && soup.polygon_ends.size() == rest.polygon_ends.size();
-  if (same_size && soup.corner_points == rest.corner_points && soup.polygon_ends == rest.polygon_ends) return;
   const std::string what =
       same_size ? fmt::format("the corners of its faces are not those of {}", sequence.rest_file.string())
                 : fmt::format("has {}, but {} has {}", size_text(soup), sequence.rest_file.string(),
@@ -150,21 +145,10 @@ static void check_same_faces(const MeshSequence& sequence, const fs::path& file,
       3);
 }
 
-// For each point the first one that is at its place both at rest and now.
-static std::vector<int> vertices_of(const PolygonSoup& rest, const PolygonSoup& now) {
-  const std::vector<int> first_at_rest = first_equal_points(rest.points),
-                         first_now = first_equal_points(now.points);
-  std::map<std::pair<int, int>, int> first;
-  std::vector<int> vertices(rest.points.size());
-  for (int i = 0; i < static_cast<int>(vertices.size()); ++i)
-    vertices[i] = first.try_emplace({first_at_rest[i], first_now[i]}, i).first->second;
-  return vertices;
-}
-
 MeshFrame read_mesh_frame(const MeshSequence& sequence, const fs::path& file) {
   PolygonSoup soup = read_polygons(file);
   check_same_faces(sequence, file, soup);
-  const std::vector<int> vertices = vertices_of(sequence.rest, soup);
+  const std::vector<int> vertices = first_equal_points(sequence.rest.points, soup.points);
   MeshFrame frame{sequence.rest.points, {std::move(soup.points), {}}};
   for (const auto& [a, b, c] : cut_into_fans(soup.corner_points, soup.polygon_ends)) {
     const Triangle triangle{vertices[a], vertices[b], vertices[c]};

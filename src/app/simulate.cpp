@@ -9,6 +9,7 @@
 #include "app/program.h"
 #include "app/progress.h"
 #include "app/stage_timer.h"
+#include "app/start.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "scene/load.h"
@@ -170,9 +171,16 @@ static void tell_lags(const Run& run, const Console& console) {
                      pin_frame, 1000 * pin));
 }
 
+// What a refused start costs is not the frames of an earlier one.
+static Simulation start_anew(Run& run) {
+  SimulationInput input = start_input(run.scene, run.folder.root);
+  forget_earlier_work(run);
+  return Simulation(std::move(input));
+}
+
 static void simulate_from(std::optional<State> checkpoint, Run& run, const Console& console) {
+  Simulation simulation = checkpoint ? Simulation(simulation_input(run.scene)) : start_anew(run);
   const StageTimer timer(run.manifest.stages["simulate"]);
-  Simulation simulation(simulation_input(run.scene));
   if (checkpoint) {
     note(console, fmt::format("simulate  goes on after frame {}", checkpoint->frame));
     simulation.restore(std::move(*checkpoint));
@@ -184,7 +192,6 @@ static void simulate_from(std::optional<State> checkpoint, Run& run, const Conso
 void simulate(Run& run, const Options& options, const Console& console) {
   const ThreadLimit limit(options.threads);
   auto checkpoint = state_to_resume(run, options, console);
-  if (!checkpoint) forget_earlier_work(run);
   if (checkpoint && checkpoint->frame >= run.scene.time.last_frame) {
     note(console, "simulate  every frame is in the cache already");
   } else {

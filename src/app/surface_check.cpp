@@ -66,29 +66,53 @@ static std::vector<int> triangles_at(const ClothSurface& surface, const Triangle
   return triangles_that_meet(surface.positions, surface.triangles, points, mesh.triangles);
 }
 
-static void judge_against(const CertifiedCollider& collider, const RigidPose& pose,
-                          const ClothSurface& surface, CertifiedSurface& certified) {
-  std::vector<int>& found = certified.in_colliders;
-  if (collider.surface) {
-    const std::vector<int> meeting = triangles_at(surface, *collider.surface, pose);
-    found.insert(found.end(), meeting.begin(), meeting.end());
-  }
-  if (!collider.solid) return;
+static void sort_out(std::vector<int>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+namespace {
+
+struct InCollider {
+  std::vector<int> triangles;  // ascending
+  double deepest = 0;          // m
+};
+
+}  // namespace
+
+static InCollider judge_against(const CertifiedCollider& collider, const RigidPose& pose,
+                                const ClothSurface& surface) {
+  InCollider in;
+  if (collider.surface) in.triangles = triangles_at(surface, *collider.surface, pose);
+  if (!collider.solid) return in;
   const std::vector<double> depth = depths(surface, *collider.solid, pose);
   for (std::size_t t = 0; t < depth.size(); ++t) {
-    if (depth[t] > 0) found.push_back(static_cast<int>(t));
-    certified.figures.collider_depth = std::max(certified.figures.collider_depth, depth[t]);
+    if (depth[t] > 0) in.triangles.push_back(static_cast<int>(t));
+    in.deepest = std::max(in.deepest, depth[t]);
   }
+  sort_out(in.triangles);
+  return in;
+}
+
+std::vector<int> triangles_in(const ClothSurface& surface, const CertifiedCollider& collider,
+                              const RigidPose& pose) {
+  return judge_against(collider, pose, surface).triangles;
+}
+
+bool is_clean(const CertifiedSurface& surface) {
+  return surface.is_finite && surface.intersecting.empty() && surface.in_colliders.empty();
 }
 
 CertifiedSurface certify(const ClothSurface& surface, const std::vector<CertifiedCollider>& colliders,
                          const std::vector<RigidPose>& poses) {
   CertifiedSurface certified = certify(surface);
-  for (std::size_t i = 0; i < colliders.size(); ++i)
-    judge_against(colliders[i], poses[i], surface, certified);
   std::vector<int>& found = certified.in_colliders;
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  for (std::size_t i = 0; i < colliders.size(); ++i) {
+    const InCollider in = judge_against(colliders[i], poses[i], surface);
+    found.insert(found.end(), in.triangles.begin(), in.triangles.end());
+    certified.figures.collider_depth = std::max(certified.figures.collider_depth, in.deepest);
+  }
+  sort_out(found);
   certified.figures.collider_triangles = static_cast<int>(found.size());
   return certified;
 }

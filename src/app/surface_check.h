@@ -40,6 +40,13 @@ struct CertifiedCollider {
 
 CertifiedCollider certified_collider(const ColliderShape& shape);
 
+// The triangles of a surface that are in a collider, or meet its own, ascending.
+std::vector<int> triangles_in(const ClothSurface& surface, const CertifiedCollider& collider,
+                              const RigidPose& pose);
+
+// Whether all is finite, nothing meets anything, and nothing is in a collider.
+bool is_clean(const CertifiedSurface& surface);
+
 // Judges a surface by itself and, where they are given, against colliders at their poses.
 CertifiedSurface certify(const ClothSurface& surface);
 CertifiedSurface certify(const ClothSurface& surface, const std::vector<CertifiedCollider>& colliders,

@@ -1,6 +1,9 @@
 #include "mesh/polygon_soup.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <tuple>
 
@@ -19,18 +22,38 @@ std::vector<int> first_equal_points(const std::vector<Vec3>& points) {
   return first;
 }
 
-// Keeps the points that are the first of their position, in their order; gives all points their new numbers.
-static std::vector<int> weld_points(const std::vector<Vec3>& points, std::vector<Vec3>& welded) {
-  const std::vector<int> first = first_equal_points(points);
-  std::vector<int> number(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (first[i] == static_cast<int>(i)) {
-      number[i] = static_cast<int>(welded.size());
-      welded.push_back(points[i]);
-    } else {
-      number[i] = number[first[i]];
-    }
-  }
+std::vector<int> first_equal_points(const std::vector<Vec3>& points, const std::vector<Vec3>& other_points) {
+  const std::vector<int> first = first_equal_points(points), other_first = first_equal_points(other_points);
+  std::map<std::pair<int, int>, int> first_in_both;
+  std::vector<int> result(points.size());
+  for (int i = 0; i < static_cast<int>(result.size()); ++i)
+    result[i] = first_in_both.try_emplace({first[i], other_first[i]}, i).first->second;
+  return result;
+}
+
+bool have_same_faces(const PolygonSoup& a, const PolygonSoup& b) {
+  return a.points.size() == b.points.size() && a.corner_points == b.corner_points &&
+         a.polygon_ends == b.polygon_ends;
+}
+
+std::string size_text(const PolygonSoup& soup) {
+  return fmt::format("{} points and {} faces", soup.points.size(), soup.polygon_ends.size());
+}
+
+// Those points that are the first of their place, in their order.
+static std::vector<Vec3> keep_first(const std::vector<Vec3>& points, const std::vector<int>& first) {
+  std::vector<Vec3> kept;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (first[i] == static_cast<int>(i)) kept.push_back(points[i]);
+  return kept;
+}
+
+// The number of each point among those that are kept.
+static std::vector<int> number_first(const std::vector<int>& first) {
+  std::vector<int> number(first.size());
+  int kept = 0;
+  for (std::size_t i = 0; i < first.size(); ++i)
+    number[i] = first[i] == static_cast<int>(i) ? kept++ : number[first[i]];
   return number;
 }
 
@@ -45,9 +68,10 @@ std::vector<Triangle> cut_into_fans(const std::vector<int>& corners, const std::
   return triangles;
 }
 
-TriangleMesh weld(const PolygonSoup& soup) {
+static TriangleMesh weld(const PolygonSoup& soup, const std::vector<int>& first) {
   TriangleMesh mesh;
-  const std::vector<int> number = weld_points(soup.points, mesh.positions);
+  mesh.positions = keep_first(soup.points, first);
+  const std::vector<int> number = number_first(first);
   const bool has_uvs = !soup.corner_uvs.empty();
   const std::vector<Triangle> triangles = cut_into_fans(soup.corner_points, soup.polygon_ends);
   const std::vector<Triangle> uv_triangles =
@@ -61,6 +85,15 @@ TriangleMesh weld(const PolygonSoup& soup) {
   }
   if (has_uvs) mesh.uvs = soup.uvs;
   return mesh;
+}
+
+TriangleMesh weld(const PolygonSoup& soup) { return weld(soup, first_equal_points(soup.points)); }
+
+ShapedMesh weld(const PolygonSoup& rest, const PolygonSoup& start) {
+  const std::vector<int> first = first_equal_points(rest.points, start.points);
+  ShapedMesh shaped{weld(start, first), keep_first(start.points, first)};
+  shaped.mesh.positions = keep_first(rest.points, first);
+  return shaped;
 }
 
 }  // namespace drape

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "mesh/triangle_mesh.h"
@@ -18,6 +19,15 @@ struct PolygonSoup {
 // For each point the first point of equal position.
 std::vector<int> first_equal_points(const std::vector<Vec3>& points);
 
+// Of two shapes of the same faces: for each point the first one that is at its place in both.
+std::vector<int> first_equal_points(const std::vector<Vec3>& points, const std::vector<Vec3>& other_points);
+
+// Whether the polygons of both have the same corners in the same order.
+bool have_same_faces(const PolygonSoup& a, const PolygonSoup& b);
+
+// "12 points and 10 faces"
+std::string size_text(const PolygonSoup& soup);
+
 // Polygons, given by their corners one after another, cut into fans round their first corner.
 std::vector<Triangle> cut_into_fans(const std::vector<int>& corners, const std::vector<int>& polygon_ends);
 
@@ -27,5 +37,12 @@ inline bool has_three_corners(const Triangle& t) { return t[0] != t[1] && t[1] !
 // first), triangles dropped that thereby lose their third corner (exporters write the poles of spheres so).
 // Needs indices in range and finite points.
 TriangleMesh weld(const PolygonSoup& soup);
+
+// One mesh in two shapes: points are made one where they are equal in both. Needs the same faces.
+struct ShapedMesh {
+  TriangleMesh mesh;  // as at rest
+  std::vector<Vec3> start_positions;
+};
+ShapedMesh weld(const PolygonSoup& rest, const PolygonSoup& start);
 
 }  // namespace drape

@@ -7,6 +7,7 @@
 
 #include "core/rigid_motion.h"
 #include "render/view.h"
+#include "scene/node.h"
 #include "simulation/input.h"
 
 namespace drape {
@@ -26,6 +27,7 @@ struct Look {
 };
 
 struct ClothDescription {
+  Place place;  // where it stands in the text
   ClothInput input;
   Look look;
 };

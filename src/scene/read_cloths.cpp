@@ -59,12 +59,23 @@ std::optional<TriangleMesh> read_disc(const Section& cloth, double& points_left)
   return make_disc(diameter, edge);
 }
 
-std::optional<TriangleMesh> read_shape(const Section& cloth, const std::filesystem::path& scene_folder,
-                                       double& points_left) {
+std::optional<ShapedMesh> start_as_at_rest(std::optional<TriangleMesh> mesh) {
+  if (!mesh) return std::nullopt;
+  ShapedMesh shaped{std::move(*mesh), {}};
+  shaped.start_positions = shaped.mesh.positions;
+  return shaped;
+}
+
+std::optional<ShapedMesh> read_shape(const Section& cloth, const std::filesystem::path& scene_folder,
+                                     double& points_left) {
   const std::string_view shape = exactly_one(cloth, "shape", {"grid", "disc", "mesh"});
-  if (shape == "grid") return read_grid(cloth, points_left);
-  if (shape == "disc") return read_disc(cloth, points_left);
-  if (shape == "mesh") return read_mesh_key(cloth, scene_folder);
+  if (shape == "mesh" && has(cloth, "rest")) return read_mesh_and_rest(cloth, scene_folder);
+  if (has(cloth, "rest"))
+    cloth.problems->add(find_value(cloth, "rest")->place,
+                        path_of(cloth, "rest") + " is for a `mesh`: a grid or a disc is at rest as it is");
+  if (shape == "mesh") return start_as_at_rest(read_mesh_key(cloth, scene_folder));
+  if (shape == "grid") return start_as_at_rest(read_grid(cloth, points_left));
+  if (shape == "disc") return start_as_at_rest(read_disc(cloth, points_left));
   return std::nullopt;
 }
 
@@ -176,15 +187,16 @@ std::vector<ClothDescription> read_cloths(const Section& scene, const std::files
     scene.problems->add(node->place, "cloths is empty: a scene needs at least one");
   for (const auto& [name, section] : open_named(scene, "cloths", most_cloths)) {
     ClothDescription cloth;
+    cloth.place = section.place;
     cloth.input.name = name;
     RigidMotion place;
     read_place(section, place);
     read_material(section, materials, cloth.input.material);
     read_look(section, cloth.look);
-    auto mesh = read_shape(section, scene_folder, points_left);
-    if (!mesh) continue;
-    cloth.input.start_positions = placed(mesh->positions, place);
-    cloth.input.mesh = std::move(*mesh);
+    auto shape = read_shape(section, scene_folder, points_left);
+    if (!shape) continue;
+    cloth.input.start_positions = placed(shape->start_positions, place);
+    cloth.input.mesh = std::move(shape->mesh);
     read_numbers(section, "velocity", cloth.input.start_velocity);
     read_pressure(section, cloth.input);
     cloth.input.pins = read_pins(section, cloth.input, colliders, fps);

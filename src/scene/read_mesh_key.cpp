@@ -11,12 +11,13 @@
 namespace drape {
 namespace fs = std::filesystem;
 
-static std::optional<TriangleMesh> read_or_report(const fs::path& path, const Section& section) {
-  const Place place = find_value(section, "mesh")->place;
+static std::optional<PolygonSoup> read_or_report(const fs::path& path, const Section& section,
+                                                 std::string_view key) {
+  const Place place = find_value(section, key)->place;
   try {
-    return read_mesh(path);
+    return read_polygons(path);
   } catch (const FileError& error) {
-    section.problems->add_file_fault(place, fmt::format("{}: {}", path_of(section, "mesh"), error.what()));
+    section.problems->add_file_fault(place, fmt::format("{}: {}", path_of(section, key), error.what()));
   } catch (const InputError& error) {
     for (const Problem& problem : error.problems())
       section.problems->add_file_fault(
@@ -25,21 +26,55 @@ static std::optional<TriangleMesh> read_or_report(const fs::path& path, const Se
   return std::nullopt;
 }
 
-std::optional<TriangleMesh> read_mesh_key(const Section& section, const fs::path& scene_folder) {
-  std::string name;
-  read_text(section, "mesh", name);
+static std::string text_of(const Section& section, std::string_view key) {
+  std::string text;
+  read_text(section, key, text);
+  return text;
+}
+
+static std::optional<PolygonSoup> read_polygons_key(const Section& section, std::string_view key,
+                                                    const fs::path& scene_folder) {
+  const std::string name = text_of(section, key);
   if (name.empty()) return std::nullopt;
-  const Place place = find_value(section, "mesh")->place;
-  const auto path =
-      find_scene_file(name, path_of(section, "mesh"), scene_folder, scene_folder, place, *section.problems);
-  if (!path) return std::nullopt;
-  auto mesh = read_or_report(*path, section);
-  if (!mesh) return std::nullopt;
-  const std::vector<std::string> faults = check_manifold(*mesh);
+  const auto path = find_scene_file(name, path_of(section, key), scene_folder, scene_folder,
+                                    find_value(section, key)->place, *section.problems);
+  return path ? read_or_report(*path, section, key) : std::nullopt;
+}
+
+static bool is_fit(const Section& section, std::string_view key, const TriangleMesh& mesh) {
+  const std::vector<std::string> faults = check_manifold(mesh);
   for (const std::string& fault : faults)
-    section.problems->add_file_fault(place, fmt::format("{}: {}: {}", path_of(section, "mesh"), name, fault));
-  if (!faults.empty()) return std::nullopt;
+    section.problems->add_file_fault(
+        find_value(section, key)->place,
+        fmt::format("{}: {}: {}", path_of(section, key), text_of(section, key), fault));
+  return faults.empty();
+}
+
+std::optional<TriangleMesh> read_mesh_key(const Section& section, const fs::path& scene_folder) {
+  const auto soup = read_polygons_key(section, "mesh", scene_folder);
+  if (!soup) return std::nullopt;
+  TriangleMesh mesh = weld(*soup);
+  if (!is_fit(section, "mesh", mesh)) return std::nullopt;
   return mesh;
+}
+
+static bool check_same_faces(const Section& section, const PolygonSoup& rest, const PolygonSoup& start) {
+  if (have_same_faces(rest, start)) return true;
+  section.problems->add_file_fault(
+      find_value(section, "rest")->place,
+      fmt::format("{}: {} has {}, and {} has {}: the shape at rest needs the same faces in the same order",
+                  path_of(section, "rest"), text_of(section, "rest"), size_text(rest),
+                  text_of(section, "mesh"), size_text(start)));
+  return false;
+}
+
+std::optional<ShapedMesh> read_mesh_and_rest(const Section& section, const fs::path& scene_folder) {
+  const auto start = read_polygons_key(section, "mesh", scene_folder),
+             rest = read_polygons_key(section, "rest", scene_folder);
+  if (!start || !rest || !check_same_faces(section, *rest, *start)) return std::nullopt;
+  ShapedMesh shaped = weld(*rest, *start);
+  if (!is_fit(section, "rest", shaped.mesh)) return std::nullopt;
+  return shaped;
 }
 
 }  // namespace drape

@@ -98,6 +98,7 @@ constexpr Key cloth_keys[] = {
     required(number("cloths.*.disc.edge", length, 1e-4, 250,
                     "of its triangles, about; at most a quarter of the diameter")),
     of_kind(KeyKind::file, "cloths.*.mesh", "in place of a grid: a surface in metres"),
+    of_kind(KeyKind::file, "cloths.*.rest", "of a mesh: the same surface in the shape it has at rest"),
     section("cloths.*.place", "where it starts", "place"),
 
     section("cloths.*.material", "what it is made of; or the name of one of the materials"),

@@ -55,6 +55,18 @@ TEST(Weld, TrianglesThatCollapseAreDropped) {
   EXPECT_EQ(mesh.uv_triangles.size(), 1u);
 }
 
+// Folded flat, the corners of the two triangles lie in each other; at rest only those of their common edge
+// do.
+TEST(Weld, PointsOfTwoShapesAreOneWhereTheyAreEqualInBoth) {
+  const PolygonSoup rest = separate_triangles();
+  PolygonSoup start = rest;
+  start.points[5] = start.points[0];
+  const ShapedMesh shaped = weld(rest, start);
+  EXPECT_EQ(shaped.mesh.positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}));
+  EXPECT_EQ(shaped.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}}));
+  EXPECT_EQ(shaped.start_positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}}));
+}
+
 TEST(SoupStream, ComesBackTheSame) {
   PolygonSoup soup = separate_triangles();
   soup.uvs = {{0, 1}};

@@ -162,6 +162,18 @@ TEST(Load, FindsMeshesFromTheCurrentFolder) {
   EXPECT_EQ(scene.cloths.at(0).input.mesh.triangles.size(), 1u);
 }
 
+TEST(Load, ClothMayStartInAnotherShapeThanItHasAtRest) {
+  const TemporaryFolder folder;
+  folder.write("small.obj", "v 0 0 0\nv 1 0 0\nv 0 0 -1\nf 1 2 3\n");
+  folder.write("large.obj", "v 0 0 0\nv 2 0 0\nv 0 0 -2\nf 1 2 3\n");
+  folder.write("scene.yaml",
+               "version: 1\ncloths: {a: {mesh: large.obj, rest: small.obj, place: {at: [0, 3, 0]}}}\n");
+  const SceneDescription scene = load_scene((folder.path() / "scene.yaml").string());
+  const ClothInput& cloth = scene.cloths.at(0).input;
+  EXPECT_EQ(cloth.mesh.positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 0, -1}}));
+  EXPECT_EQ(cloth.start_positions, (std::vector<Vec3>{{0, 3, 0}, {2, 3, 0}, {0, 3, -2}}));
+}
+
 TEST(Load, OfAMissingSceneHasStatusThree) {
   const TemporaryFolder folder;
   const Failure failure = failure_of(folder.path() / "none.yaml", folder.path());
