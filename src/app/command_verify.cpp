@@ -61,11 +61,11 @@ static void need_frames(const Run& run, const std::vector<int>& frames, bool all
 static Fault fault_of(const Run& run, const CertifiedScene& scene, const CachedFrame& frame) {
   Fault fault;
   fault.surface = simulated_surface(scene, frame);
-  fault.certified = certify(fault.surface, scene.drawn.solids, frame.collider_poses);
+  fault.certified = certify_simulated(scene, frame);
   fault.triangle_name = [&run](int t) { return name_in_cloth(run.scene, t); };
   if (!is_clean(fault.certified)) return fault;
   fault.surface = drawn_surface(scene, frame);
-  fault.certified = certify(fault.surface, scene.drawn.solids, frame.collider_poses);
+  fault.certified = certify_drawn(scene, frame);
   fault.triangle_name = [&run, &scene](int t) { return name_in_drawn(scene, run.scene, t); };
   return fault;
 }

@@ -28,12 +28,18 @@ struct CertifiedScene {
   PreparedScene drawn;
   bool is_subdivided = false;
   ClothSurface rest;
+  bool self_collision = true;                   // without it, what a cloth does to itself is not judged
+  std::vector<int> simulated_ends, drawn_ends;  // numbers of triangles up to and with each cloth
 };
 CertifiedScene prepare_certificate(const SceneDescription& scene);
 
 // The surfaces of a frame: as simulated, and as drawn.
 ClothSurface simulated_surface(const CertifiedScene& scene, const CachedFrame& frame);
 ClothSurface drawn_surface(const CertifiedScene& scene, const CachedFrame& frame);
+
+// What is wrong with them, if anything is.
+CertifiedSurface certify_simulated(const CertifiedScene& scene, const CachedFrame& frame);
+CertifiedSurface certify_drawn(const CertifiedScene& scene, const CachedFrame& frame);
 
 FrameCertificate certify_frame(const CertifiedScene& scene, const CachedFrame& frame);
 

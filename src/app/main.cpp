@@ -6,6 +6,7 @@
 #include "app/exit_status.h"
 #include "app/failure.h"
 #include "app/interrupt.h"
+#include "core/memory.h"
 #include "mesh/import_process.h"
 
 namespace drape::app {
@@ -41,5 +42,6 @@ static int run_program(int argument_count, const char* const* arguments) {
 // The program starts itself anew to read the meshes that it must not trust itself with.
 int main(int argument_count, char** arguments) {
   if (const auto status = drape::run_import_child(argument_count, arguments)) return *status;
+  drape::keep_freed_memory();
   return drape::app::run_program(argument_count, arguments);
 }

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <optional>
 
+#include "app/capsule.h"
+#include "app/frame_certificate.h"
 #include "app/interrupt.h"
 #include "app/program.h"
 #include "app/progress.h"
@@ -87,16 +89,6 @@ static void forget_earlier_work(Run& run) {
   }
 }
 
-static CachedFrame to_cached_frame(const State& state) {
-  CachedFrame frame;
-  frame.frame = state.frame;
-  frame.state_hash = state_hash(state);
-  frame.collider_poses = state.collider_poses;
-  frame.positions.reserve(state.positions.size());
-  for (const Vec3& position : state.positions) frame.positions.push_back(position.cast<float>());
-  return frame;
-}
-
 namespace {
 
 // Keeps what is on disk close behind the simulation. Each frame goes into the cache at once; the record and
@@ -130,21 +122,42 @@ class Keeper {
 
 }  // namespace
 
-static FrameStatistics advance(Simulation& simulation, const Run& run) {
+namespace {
+
+struct Advanced {
+  FrameStatistics statistics;
+  std::string failure;  // why the frame is none; empty: it is good
+};
+
+}  // namespace
+
+static Advanced try_to_advance(Simulation& simulation) {
   try {
-    return simulation.advance_frame();
-  } catch (const SimulationError& failure) {
-    write_manifest(run.folder.manifest(), run.manifest);
-    throw SimulationError(fmt::format("frame {}: {}", simulation.state().frame + 1, failure.what()));
+    return {simulation.advance_frame(), ""};
+  } catch (const SimulationError& error) {
+    return {{}, error.what()};
   }
+}
+
+// No frame is kept that is not certified.
+static FrameStatistics advance(Simulation& simulation, const Run& run, const CertifiedScene& scene,
+                               Keeper& keeper) {
+  const State before = simulation.state();
+  Advanced advanced = try_to_advance(simulation);
+  CertifiedSurface certified = certify_simulated(scene, to_cached_frame(simulation.state()));
+  if (advanced.failure.empty() && is_clean(certified)) return advanced.statistics;
+  if (advanced.failure.empty()) advanced.failure = "something is through something";
+  keeper.save(before);
+  stop_with_capsule(run, {before, simulation.state(), std::move(certified), advanced.failure});
 }
 
 static void advance_to_last_frame(Simulation& simulation, Run& run, const Console& console) {
   const int last = run.scene.time.last_frame;
+  const CertifiedScene scene = prepare_certificate(run.scene);
   Progress progress(console, "simulate", last, simulation.state().frame);
   Keeper keeper(run);
   while (simulation.state().frame < last && stop_signal() == 0) {
-    const FrameStatistics statistics = advance(simulation, run);
+    const FrameStatistics statistics = advance(simulation, run, scene, keeper);
     keeper.keep(simulation.state(), statistics);
     progress.update(simulation.state().frame, statistics.contacts);
   }

@@ -82,10 +82,7 @@ static ClothSurface set_apart(const SceneDescription& scene, ClothSurface surfac
 static CertifiedSurface judge(const SceneDescription& scene, const ClothSurface& surface,
                               const Colliders& colliders) {
   CertifiedSurface certified = certify(surface, colliders.solids, colliders.poses);
-  if (scene.self_collision) return certified;
-  std::erase_if(certified.intersecting, [&](const TrianglePair& pair) {
-    return cloth_of(scene, pair.first) == cloth_of(scene, pair.second);
-  });
+  if (!scene.self_collision) forget_pairs_within(triangle_ends(scene), certified);
   return certified;
 }
 

@@ -99,6 +99,13 @@ std::vector<int> triangles_in(const ClothSurface& surface, const CertifiedCollid
   return judge_against(collider, pose, surface).triangles;
 }
 
+void forget_pairs_within(const std::vector<int>& part_ends, CertifiedSurface& certified) {
+  const auto part_of = [&](int t) { return std::upper_bound(part_ends.begin(), part_ends.end(), t); };
+  std::erase_if(certified.intersecting,
+                [&](const TrianglePair& pair) { return part_of(pair.first) == part_of(pair.second); });
+  certified.figures.intersecting_pairs = static_cast<int>(certified.intersecting.size());
+}
+
 bool is_clean(const CertifiedSurface& surface) {
   return surface.is_finite && surface.intersecting.empty() && surface.in_colliders.empty();
 }

@@ -47,6 +47,10 @@ std::vector<int> triangles_in(const ClothSurface& surface, const CertifiedCollid
 // Whether all is finite, nothing meets anything, and nothing is in a collider.
 bool is_clean(const CertifiedSurface& surface);
 
+// Forgets the pairs of triangles of one and the same part. The parts follow one another; `part_ends` are the
+// numbers of triangles up to and with each.
+void forget_pairs_within(const std::vector<int>& part_ends, CertifiedSurface& certified);
+
 // Judges a surface by itself and, where they are given, against colliders at their poses.
 CertifiedSurface certify(const ClothSurface& surface);
 CertifiedSurface certify(const ClothSurface& surface, const std::vector<CertifiedCollider>& colliders,

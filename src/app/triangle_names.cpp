@@ -36,6 +36,13 @@ std::string name_in_drawn(const CertifiedScene& scene, const SceneDescription& n
   return fmt::format("drawn triangle {} of {}", place.triangle + 1, names.cloths[place.cloth].input.name);
 }
 
+std::vector<int> triangle_ends(const SceneDescription& scene) {
+  std::vector<int> ends;
+  for (const ClothDescription& cloth : scene.cloths)
+    ends.push_back((ends.empty() ? 0 : ends.back()) + static_cast<int>(cloth.input.mesh.triangles.size()));
+  return ends;
+}
+
 int cloth_of(const SceneDescription& scene, int triangle) {
   return static_cast<int>(simulated_triangle(scene, triangle).cloth);
 }

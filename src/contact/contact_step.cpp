@@ -78,6 +78,11 @@ std::vector<Vec3> push(const ContactGeometry& geometry, const std::vector<Contac
 
 }  // namespace
 
+static FailSafeResult let_go(const ContactGeometry& geometry) {
+  return {std::vector<double>(geometry.vertex_body.size(), 1),
+          std::vector<double>(geometry.bodies.size(), 1)};
+}
+
 ContactSettings contact_settings(const ContactGeometry& geometry, double step) {
   constexpr double healing_time = 0.04;  // s: a fold that is pushed open faster strains its edges
   const double edge = mean_cloth_edge(geometry);
@@ -98,8 +103,9 @@ ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSe
   result.contacts = static_cast<int>(contacts.size());
   timed(profile, Phase::response, [&] { result.push = push(geometry, contacts, end); });
   timed(profile, Phase::broad, [&] { find_pairs(phase, settings, proximity); });
-  const FailSafeResult held =
-      timed(profile, Phase::fail_safe, [&] { return hold_back(phase, proximity, settings.least_gap, end); });
+  const FailSafeResult held = timed(profile, Phase::fail_safe, [&] {
+    return settings.fail_safe ? hold_back(phase, proximity, settings.least_gap, end) : let_go(geometry);
+  });
   for (std::size_t v = 0; v < end.size(); ++v) result.push[v] *= held.vertex_progress[v];
   result.body_progress = held.body_progress;
   result.limited_vertices = held.limited_vertices;

@@ -13,7 +13,8 @@ struct ContactSettings {
   ProximityMargins margins;
   double largest_thickness = 0;
   double least_gap = 1e-5;  // m: what the fail-safe keeps
-  double healing = 0;       // share of the thickness by which old overlap may heal in a step
+  bool fail_safe = true;
+  double healing = 0;  // share of the thickness by which old overlap may heal in a step
 };
 // From the cloths' mean edge length and thickness, and the step in seconds.
 ContactSettings contact_settings(const ContactGeometry& geometry, double step);

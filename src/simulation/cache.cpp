@@ -193,6 +193,16 @@ fs::path checkpoint_path(const fs::path& folder) { return folder / "checkpoint.d
 
 }  // namespace
 
+CachedFrame to_cached_frame(const State& state) {
+  CachedFrame frame;
+  frame.frame = state.frame;
+  frame.state_hash = state_hash(state);
+  frame.collider_poses = state.collider_poses;
+  frame.positions.reserve(state.positions.size());
+  for (const Vec3& position : state.positions) frame.positions.push_back(position.cast<float>());
+  return frame;
+}
+
 fs::path cached_frame_path(const fs::path& folder, int frame) {
   return folder / fmt::format("frame_{:04}.drape", frame);
 }

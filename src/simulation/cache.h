@@ -23,6 +23,8 @@ struct CachedFrame {
   std::vector<RigidPose> collider_poses;
 };
 
+CachedFrame to_cached_frame(const State& state);
+
 std::filesystem::path cached_frame_path(const std::filesystem::path& folder, int frame);
 void write_cached_frame(const std::filesystem::path& folder, std::uint64_t fingerprint,
                         const CachedFrame& frame);

@@ -84,6 +84,7 @@ void build_geometry(World& world) {
     world.collider_points.push_back(primitives.points);
   }
   world.contact_settings = contact_settings(geometry, world.step);
+  world.contact_settings.fail_safe = world.input.fail_safe;
 }
 
 // A layer that falls from rest on another one sinks by no more than a tenth of its thickness in a step.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/hash.h"
+#include "core/memory.h"
 #include "scene/load.h"
 #include "simulation/scenarios.h"
 
@@ -42,6 +43,7 @@ void report(const char* path) {
 }  // namespace drape
 
 int main(int count, char** arguments) {
+  drape::keep_freed_memory();
   for (int i = 1; i < count; ++i) drape::report(arguments[i]);
   if (count == 1) drape::report(DRAPE_SOURCE_DIR "/scenes/sphere_drape.yaml");
 }
