@@ -1,6 +1,7 @@
 #include "contact/active_contacts.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "contact/conservative_advancement.h"
 #include "core/parallel.h"
@@ -28,8 +29,9 @@ Vec3 rigid_displacement(const BodyMotion& motion, const Vec3& point) {
 
 // What a rounded collider's surface moves beyond its vertices, seen from the first side: these carry no
 // turning.
-Vec3 turning(const NarrowPhase& phase, const ContactPair& pair, const ClosestPoints& closest,
-             const FourPoints& start, const FourPoints& end) {
+Vec3 turning(const NarrowPhase& phase, const ContactPair& pair, const ClosestPoints& closest) {
+  const FourPoints start = gather(phase.motion.start, pair.vertices);
+  const FourPoints end = gather(phase.motion.end, pair.vertices);
   const auto bodies = pair_bodies(phase.geometry, pair.kind, pair.vertices);
   Vec3 relative = Vec3::Zero();
   for (int side = 0; side < 2; ++side) {
@@ -49,7 +51,7 @@ Vec3 turning(const NarrowPhase& phase, const ContactPair& pair, const ClosestPoi
 }
 
 Contact make_contact(const NarrowPhase& phase, const ContactPair& pair, const ClosestPoints& closest,
-                     double start_distance, const FourPoints& start, const FourPoints& end) {
+                     double start_distance) {
   Contact contact{};
   contact.key = {static_cast<int>(pair.kind), pair.vertices};
   contact.vertices = pair.vertices;
@@ -58,10 +60,7 @@ Contact make_contact(const NarrowPhase& phase, const ContactPair& pair, const Cl
   contact.target = pair.radius + std::min(pair.thickness, start_distance - pair.radius);
   contact.push_target = pair.radius + healed_distance(phase, pair.thickness, start_distance - pair.radius);
   contact.friction = pair.friction;
-  contact.turn = turning(phase, pair, closest, start, end);
-  contact.thickness = pair.thickness;
-  contact.radius = pair.radius;
-  contact.counts_edge_ends = pair.counts_edge_ends;
+  contact.turn = pair.radius > 0 ? turning(phase, pair, closest) : Vec3::Zero();
   return contact;
 }
 
@@ -70,40 +69,48 @@ bool counted_elsewhere(const ContactPair& pair, const ClosestPoints& closest) {
   return pair.kind == PairKind::edge_edge && !closest.inside_edges && !pair.counts_edge_ends;
 }
 
-// A pair's place in its list's clock and in the step.
+// A list's clock, and how far it goes on in this step: ways of its patches relative to each other, in m.
 struct Moment {
-  double travelled, way_in_step;  // m: relative ways of the pair's patches
-  long step;
+  double travelled, way_in_step;
 };
 
-// Appends a contact if the pair comes within its thickness; brings its expiry up to date.
-void examine_pair(const NarrowPhase& phase, const Moment& moment, ContactPair& pair,
+// Where the pair makes its contact: now, if it is near enough, or on the way.
+std::optional<ClosestPoints> contact_place(const NarrowPhase& phase, const ContactPair& pair,
+                                           const FourPoints& start, const ClosestPoints& at_start) {
+  if (at_start.distance <= pair.radius + (1 + arrival_share) * pair.thickness) return at_start;
+  const FourPoints end = gather(phase.motion.end, pair.vertices);
+  const auto time =
+      time_of_contact(pair.kind, start, end, pair.radius + pair.thickness, arrival_share * pair.thickness);
+  if (!time) return std::nullopt;
+  return closest_points(pair.kind, at_time(start, end, *time));
+}
+
+// Appends a contact if the pair comes within its thickness; brings its expiry up to date. A pair's own points
+// may move less than their patches, which is worth a look before others.
+void examine_pair(const NarrowPhase& phase, const Moment& moment, const ContactPair& pair, double& expiry,
                   std::vector<Contact>& out) {
   const FourPoints start = gather(phase.motion.start, pair.vertices);
-  const FourPoints end = gather(phase.motion.end, pair.vertices);
-  const double motion = relative_motion(pair.kind, start, end);
-  if (moment.travelled + motion < pair.expiry) return;  // its own points move less than their patches
+  const auto stays_away = [&] {
+    if (moment.travelled >= expiry) return false;
+    const FourPoints end = gather(phase.motion.end, pair.vertices);
+    return moment.travelled + relative_motion(pair.kind, start, end) < expiry;
+  };
+  if (stays_away()) return;
   const ClosestPoints at_start = closest_points(pair.kind, start);
-  pair.expiry = expiry_of(pair, moment.travelled, at_start.distance);
-  if (moment.travelled + motion < pair.expiry) return;
-  ClosestPoints closest = at_start;
-  if (at_start.distance > pair.radius + (1 + arrival_share) * pair.thickness) {
-    const auto time =
-        time_of_contact(pair.kind, start, end, pair.radius + pair.thickness, arrival_share * pair.thickness);
-    if (!time) return;
-    closest = closest_points(pair.kind, at_time(start, end, *time));
-  }
-  if (counted_elsewhere(pair, closest) || !(closest.distance > 0)) return;
-  pair.contact_step = moment.step;
-  out.push_back(make_contact(phase, pair, closest, at_start.distance, start, end));
+  expiry = expiry_of(pair, moment.travelled, at_start.distance);
+  if (stays_away()) return;
+  const auto closest = contact_place(phase, pair, start, at_start);
+  if (!closest || counted_elsewhere(pair, *closest) || !(closest->distance > 0)) return;
+  out.push_back(make_contact(phase, pair, *closest, at_start.distance));
 }
 
 void examine_pairs(const NarrowPhase& phase, const Moment& moment, PatchPair& patches,
                    std::vector<Contact>& out) {
   const double travelled = moment.travelled + moment.way_in_step;
   if (travelled < patches.next_contact) return;
-  for (ContactPair& pair : patches.pairs)
-    if (travelled >= pair.expiry && pair.contact_step != moment.step) examine_pair(phase, moment, pair, out);
+  for (std::size_t i = 0; i < patches.pairs.size(); ++i)
+    if (travelled >= patches.expiries[i])
+      examine_pair(phase, moment, patches.pairs[i], patches.expiries[i], out);
   update_next(patches);
 }
 
@@ -122,15 +129,14 @@ void append_in_order(const std::vector<Contact>& found, std::vector<Contact>& co
 void find_active_pairs(const NarrowPhase& phase, Proximity& proximity, std::vector<Contact>& contacts) {
   constexpr std::size_t block = 128;
   std::vector<Contact> found;
-  parallel_collect(proximity.pairs.size(), block, found,
-                   [&](std::size_t begin, std::size_t end, std::vector<Contact>& out) {
-                     for (std::size_t p = begin; p < end; ++p) {
-                       PatchPair& patches = proximity.pairs[p];
-                       examine_pairs(phase,
-                                     {patches.travelled, relative_way(proximity, patches), proximity.step},
-                                     patches, out);
-                     }
-                   });
+  parallel_collect(
+      proximity.pairs.size(), block, found,
+      [&](std::size_t begin, std::size_t end, std::vector<Contact>& out) {
+        for (std::size_t p = begin; p < end; ++p) {
+          PatchPair& patches = proximity.pairs[p];
+          examine_pairs(phase, {patches.travelled, relative_way(proximity, patches)}, patches, out);
+        }
+      });
   append_in_order(found, contacts);
 }
 
@@ -151,7 +157,6 @@ static void add_plane_contact(const NarrowPhase& phase, const ContactPlane& plan
   contact.push_target = offset + healed_distance(phase, cloth.thickness, start_height);
   contact.friction = pair_friction(phase.geometry, phase.geometry.vertex_body[v], plane.body);
   contact.turn = -rigid_displacement(motion, phase.motion.start[v]);
-  contact.thickness = cloth.thickness;
   contacts.push_back(contact);
 }
 
@@ -160,32 +165,6 @@ void find_plane_contacts(const NarrowPhase& phase, std::vector<Contact>& contact
     for (const ContactBody& body : phase.geometry.bodies)
       for (int v = body.vertex_begin; body.is_cloth && v < body.vertex_end; ++v)
         if (phase.geometry.inverse_masses[v] > 0) add_plane_contact(phase, plane, body, v, contacts);
-}
-
-static ContactPair pair_of(const Contact& contact) {
-  return {contact.vertices,
-          static_cast<PairKind>(contact.key.first),
-          contact.counts_edge_ends,
-          contact.thickness,
-          contact.radius,
-          contact.friction,
-          0};
-}
-
-void find_moved_contacts(const NarrowPhase& phase, const std::vector<Contact>& known,
-                         std::vector<Contact>& added) {
-  constexpr double too_near = 0.02;  // share of the thickness
-  for (const Contact& contact : known) {
-    if (contact.key.first > 1) continue;  // a plane's contact does not move
-    const ContactPair pair = pair_of(contact);
-    const FourPoints end = gather(phase.motion.end, pair.vertices);
-    const ClosestPoints closest = closest_points(pair.kind, end);
-    if (closest.distance > contact.target - too_near * pair.thickness || !(closest.distance > 0)) continue;
-    if (counted_elsewhere(pair, closest) || closest.difference.dot(contact.normal) <= 0) continue;
-    const FourPoints start = gather(phase.motion.start, pair.vertices);
-    added.push_back(
-        make_contact(phase, pair, closest, closest_points(pair.kind, start).distance, start, end));
-  }
 }
 
 }  // namespace drape

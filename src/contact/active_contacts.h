@@ -22,10 +22,7 @@ struct Contact {
   double target;       // m: what is kept in this step; old overlap is no more than kept from growing
   double push_target;  // m: what the push after the step grows towards
   double friction;
-  Vec3 turn;         // m: what the turning of a rounded or plane collider adds to the sides' relative motion
-  double thickness;  // m, between the surfaces
-  double radius;     // m, of rounded colliders
-  bool counts_edge_ends;
+  Vec3 turn;  // m: what the turning of a rounded or plane collider adds to the sides' relative motion
   double impulse = 0;                    // lambda: kg m, never negative
   Vec3 friction_impulse = Vec3::Zero();  // across the normal, no longer than friction * impulse
 };
@@ -45,16 +42,10 @@ struct NarrowPhase {
 
 // The listed pairs that come within their thickness on the way, each at the first time that they do (section
 // 5 of the paper: collisions are detected on the future positions); in the order of their keys. Pairs that
-// are known to be too far, or have made their contact in this step already, are passed over. The lists must
-// be up to date with this motion.
+// are known to be too far are passed over. The lists must be up to date with this motion.
 void find_active_pairs(const NarrowPhase& phase, Proximity& proximity, std::vector<Contact>& contacts);
 
 // Vertices within their thickness of a plane at the step's end.
 void find_plane_contacts(const NarrowPhase& phase, std::vector<Contact>& contacts);
-
-// For pairs already in contact: those whose closest points at the end are too near all the same get a second
-// contact there (their closest feature has moved).
-void find_moved_contacts(const NarrowPhase& phase, const std::vector<Contact>& known,
-                         std::vector<Contact>& added);
 
 }  // namespace drape

@@ -46,8 +46,6 @@ struct ContactPair {
   double thickness;       // m, between the surfaces
   double radius;  // m: of rounded colliders; the closest points are farther apart by it than the surfaces
   double friction;
-  double expiry;           // up to which travelled way of its patches it stays out of reach
-  long contact_step = -1;  // the last step in which it made a contact
 };
 
 // The distance that surfaces keep. Between bodies: half of each cloth's thickness, or all of it against a

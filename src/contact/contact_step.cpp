@@ -30,48 +30,11 @@ std::vector<Contact> find_contacts(const NarrowPhase& phase, Proximity& proximit
   return contacts;
 }
 
-std::vector<ContactKey> sorted_keys(const std::vector<Contact>& contacts) {
-  std::vector<ContactKey> keys;
-  keys.reserve(contacts.size());
-  for (const Contact& contact : contacts) keys.push_back(contact.key);
-  std::sort(keys.begin(), keys.end());
-  return keys;
-}
-
-// Contacts that the response itself has made: pairs that are active on the way to where it led, and pairs
-// whose closest feature it has moved. Returns whether there are any.
-bool add_new_contacts(const NarrowPhase& phase, Proximity& proximity, std::vector<Contact>& contacts) {
-  const std::vector<ContactKey> known = sorted_keys(contacts);
-  std::vector<Contact> added;
-  find_moved_contacts(phase, contacts, added);
-  for (const Contact& contact : find_contacts(phase, proximity))
-    if (!std::binary_search(known.begin(), known.end(), contact.key)) added.push_back(contact);
-  contacts.insert(contacts.end(), added.begin(), added.end());
-  return !added.empty();
-}
-
-// Finds and resolves in turn until the response makes no new contacts.
-std::vector<Contact> resolve(const NarrowPhase& phase, const ContactSettings& settings, Proximity& proximity,
-                             Profile& profile, std::vector<Vec3>& end) {
-  constexpr int most_passes = 3;
-  std::vector<Contact> contacts;
-  for (int pass = 0; pass < most_passes; ++pass) {
-    timed(profile, Phase::broad, [&] { find_pairs(phase, settings, proximity); });
-    const bool found =
-        timed(profile, Phase::narrow, [&] { return add_new_contacts(phase, proximity, contacts); });
-    if (!found) break;
-    timed(profile, Phase::response, [&] {
-      resolve_contacts(phase.geometry, phase.motion.start, settings.largest_thickness, contacts, end);
-    });
-  }
-  return contacts;
-}
-
 // Moves overlapping sides apart; returns what of the way was that.
-std::vector<Vec3> push(const ContactGeometry& geometry, const std::vector<Contact>& contacts,
-                       std::vector<Vec3>& end) {
+std::vector<Vec3> push(const ContactGeometry& geometry, const CollisionGroups& groups,
+                       const std::vector<Contact>& contacts, std::vector<Vec3>& end) {
   std::vector<Vec3> way = end;
-  push_apart(geometry, contacts, end);
+  push_apart(geometry, groups, contacts, end);
   for (std::size_t v = 0; v < end.size(); ++v) way[v] = end[v] - way[v];
   return way;
 }
@@ -99,9 +62,15 @@ ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSe
                                 Proximity& proximity, Profile& profile, std::vector<Vec3>& end) {
   const NarrowPhase phase{geometry, bodies, {start, end}, settings.healing};
   ContactStepResult result;
-  const std::vector<Contact> contacts = resolve(phase, settings, proximity, profile, end);
+  timed(profile, Phase::broad, [&] { find_pairs(phase, settings, proximity); });
+  std::vector<Contact> contacts =
+      timed(profile, Phase::narrow, [&] { return find_contacts(phase, proximity); });
   result.contacts = static_cast<int>(contacts.size());
-  timed(profile, Phase::response, [&] { result.push = push(geometry, contacts, end); });
+  timed(profile, Phase::response, [&] {
+    const CollisionGroups groups = group_contacts(geometry, contacts);
+    resolve_contacts(geometry, groups, start, settings.largest_thickness, contacts, end);
+    result.push = push(geometry, groups, contacts, end);
+  });
   timed(profile, Phase::broad, [&] { find_pairs(phase, settings, proximity); });
   const FailSafeResult held = timed(profile, Phase::fail_safe, [&] {
     return settings.fail_safe ? hold_back(phase, proximity, settings.least_gap, end) : let_go(geometry);

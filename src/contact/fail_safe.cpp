@@ -129,8 +129,9 @@ std::vector<ContactPair> pairs_at_risk(const Work& work, const Proximity& proxim
                        const double way = patches.travelled + relative_way_if_stopped(proximity, patches) +
                                           2 * work.least_gap;
                        if (way < patches.next_collision) continue;
-                       for (const ContactPair& pair : patches.pairs)
-                         if (way >= pair.expiry + pair.thickness) out.push_back(pair);
+                       for (std::size_t i = 0; i < patches.pairs.size(); ++i)
+                         if (way >= patches.expiries[i] + patches.pairs[i].thickness)
+                           out.push_back(patches.pairs[i]);
                      }
                    });
   std::sort(risky.begin(), risky.end(), [](const ContactPair& a, const ContactPair& b) {

@@ -58,9 +58,12 @@ void add_pair(const Listing& listing, PairKind kind, const std::array<int, 4>& v
   const double distance = closest_points(kind, gather(listing.x, vertices)).distance;
   if (distance > listing.reach) return;
   const double thickness = pair_thickness(listing.geometry, kind, vertices);
-  ContactPair pair{vertices, kind, listing.bare_edges, thickness, listing.radius, listing.friction, 0};
-  pair.expiry = expiry_of(pair, listing.pair.travelled, distance);
-  if (pair.expiry <= listing.pair.travelled + listing.margin) listing.pair.pairs.push_back(pair);
+  const ContactPair pair{vertices, kind, listing.bare_edges, thickness, listing.radius, listing.friction};
+  const double expiry = expiry_of(pair, listing.pair.travelled, distance);
+  if (expiry > listing.pair.travelled + listing.margin) return;
+  listing.pair.pairs.push_back(pair);
+  listing.pair.expiries.push_back(expiry);
+  listing.pair.least_thickness = std::min(listing.pair.least_thickness, thickness);
 }
 
 void list_point_triangle(const Listing& listing, const Boxed& points, const Boxed& triangles) {
@@ -117,11 +120,9 @@ double expiry_of(const ContactPair& pair, double travelled, double distance) {
 }
 
 void update_next(PatchPair& patches) {
-  patches.next_contact = patches.next_collision = std::numeric_limits<double>::infinity();
-  for (const ContactPair& pair : patches.pairs) {
-    patches.next_contact = std::min(patches.next_contact, pair.expiry);
-    patches.next_collision = std::min(patches.next_collision, pair.expiry + pair.thickness);
-  }
+  patches.next_contact = std::numeric_limits<double>::infinity();
+  for (const double expiry : patches.expiries) patches.next_contact = std::min(patches.next_contact, expiry);
+  patches.next_collision = patches.next_contact + patches.least_thickness;
 }
 
 void list_pairs(const ContactGeometry& geometry, const std::vector<Patch>& patches,
@@ -130,6 +131,8 @@ void list_pairs(const ContactGeometry& geometry, const std::vector<Patch>& patch
   const double reach = contact_reach(geometry, a.body, b.body);
   const Bounds box_a = bounds_of(x, a.vertices), box_b = bounds_of(x, b.vertices);
   pair.pairs.clear();
+  pair.expiries.clear();
+  pair.least_thickness = std::numeric_limits<double>::infinity();
   pair.valid_until = pair.travelled + std::max(margin, distance_of(box_a, box_b) - reach);
   const bool bare_edges = has_bare_edges(geometry.bodies[a.body]) || has_bare_edges(geometry.bodies[b.body]);
   const Listing listing{geometry,

@@ -17,20 +17,22 @@ constexpr double arrival_share = 0.02;
 struct PatchPair {
   int first, second;  // patches, first <= second
   std::vector<ContactPair> pairs;
-  double travelled = 0;       // m: a bound of how far two points of either have moved relatively
-  double valid_until = -1;    // until then pairs that are not listed are out of reach
-  double next_contact = 0;    // until then listed pairs are, too; the least of their expiries
-  double next_collision = 0;  // until then they don't come near zero distance
+  std::vector<double> expiries;  // of each, m: up to which way travelled it stays out of reach
+  double least_thickness = 0;    // m, of all of them
+  double travelled = 0;          // m: a bound of how far two points of either have moved relatively
+  double valid_until = -1;       // until then pairs that are not listed are out of reach
+  double next_contact = 0;       // until then listed pairs are, too; the least of their expiries
+  double next_collision = 0;     // until then they don't come near zero distance
 };
 
 // How near two bodies' surfaces have to come to make a contact, measured between their points, edges and
 // triangles.
 double contact_reach(const ContactGeometry& geometry, int body_a, int body_b);
 
-// When the pair next needs a look, after it was found to be `distance` apart.
+// Up to which way travelled the pair needs no look, after it was found to be `distance` apart.
 double expiry_of(const ContactPair& pair, double travelled, double distance);
 
-// Brings next_contact and next_collision up to date with the pairs' expiries.
+// Brings next_contact and next_collision up to date with the expiries.
 void update_next(PatchPair& patches);
 
 // Lists all pairs that may make a contact before the patches have moved by `margin` metres from where they

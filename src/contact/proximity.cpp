@@ -116,7 +116,7 @@ void append_partners(const ContactGeometry& geometry, const Proximity& proximity
     if (first <= second && may_touch(geometry, a, b)) partners.push_back(first);
   });
   std::sort(partners.begin(), partners.end());
-  for (const int first : partners) out.push_back({first, second, {}});
+  for (const int first : partners) out.push_back({first, second, {}, {}});
 }
 
 std::vector<PatchPair> near_patches(const ContactGeometry& geometry, const std::vector<Vec3>& x,
@@ -202,7 +202,6 @@ void follow_motion(const StepMotion& motion, Proximity& proximity) {
   });
   for (std::size_t p = 0; p < proximity.patches.size(); ++p)
     proximity.moved[p] = sum(proximity.moved[p], proximity.ways[p]);
-  ++proximity.step;
 }
 
 }  // namespace drape

@@ -23,7 +23,6 @@ struct Proximity {
   std::vector<Bounds> moved;      // the box of how far its vertices have moved since
   std::vector<Vec4> vertex_ways;  // in this step
   std::vector<Bounds> ways;       // the box of the ways of each patch's vertices
-  long step = 0;                  // how many have been followed
 };
 
 // Margins of lists, in metres. A patch that moves fast gets more, so that its lists last for some steps.

@@ -1,6 +1,7 @@
 #include "contact/response.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "core/parallel.h"
@@ -33,65 +34,86 @@ int group_root(const ContactGeometry& geometry, const Contact& contact, std::vec
   return -1;
 }
 
-Vec3 weighted_sum(const Contact& contact, const std::vector<Vec3>& x) {
+// What the sweeps need of a contact, in the order in which they come to it.
+struct Pull {
+  std::array<int, 4> vertices;
+  std::array<double, 4> weights, responses;  // the second: how far each vertex goes under a unit impulse
+  Vec3 normal;
+  double mobility;  // how far the sides part under a unit impulse
+  double target, friction;
+  Vec3 origin;  // where the sides were to each other at the start, less what turns with a collider
+  double impulse = 0;
+  Vec3 friction_impulse = Vec3::Zero();
+};
+
+Vec3 weighted_sum(const Pull& pull, const std::vector<Vec3>& x) {
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i < 4; ++i)
-    if (contact.weights[i] != 0)
-      sum += contact.weights[i] * x[contact.vertices[i]];  // may be another group's
+    if (pull.weights[i] != 0) sum += pull.weights[i] * x[pull.vertices[i]];  // may be another group's
   return sum;
 }
 
-// K: how far the sides part under a unit impulse.
-double mobility(const ContactGeometry& geometry, const Contact& contact) {
-  double sum = 0;
-  for (int i = 0; i < 4; ++i)
-    sum += geometry.inverse_masses[contact.vertices[i]] * contact.weights[i] * contact.weights[i];
-  return sum;
-}
-
-void apply_impulse(const ContactGeometry& geometry, const Contact& contact, const Vec3& impulse,
-                   std::vector<Vec3>& x) {
+Pull make_pull(const ContactGeometry& geometry, const Contact& contact, double target,
+               const std::vector<Vec3>& start) {
+  Pull pull{contact.vertices, contact.weights,  {},           contact.normal, 0,
+            target,           contact.friction, -contact.turn};
   for (int i = 0; i < 4; ++i) {
-    const double response = geometry.inverse_masses[contact.vertices[i]] * contact.weights[i];
-    if (response != 0) x[contact.vertices[i]] += response * impulse;  // a collider may be another group's too
+    pull.responses[i] = geometry.inverse_masses[contact.vertices[i]] * contact.weights[i];
+    pull.mobility += pull.responses[i] * contact.weights[i];
   }
+  pull.origin += weighted_sum(pull, start);
+  return pull;
+}
+
+void apply_impulse(const Pull& pull, const Vec3& impulse, std::vector<Vec3>& x) {
+  for (int i = 0; i < 4; ++i)
+    if (pull.responses[i] != 0)  // a collider may be another group's too
+      x[pull.vertices[i]] += pull.responses[i] * impulse;
 }
 
 // The impulse that Coulomb's cone allows for, after one that would stop all sliding since the step's start.
-Vec3 friction_impulse(const Contact& contact, double mobility, const std::vector<Vec3>& start,
-                      const std::vector<Vec3>& x) {
-  const Vec3 way = weighted_sum(contact, x) - weighted_sum(contact, start) + contact.turn;
-  const Vec3 sliding = way - contact.normal.dot(way) * contact.normal;
-  const Vec3 sticking = contact.friction_impulse - sliding / mobility;
-  const double most = contact.friction * contact.impulse, length = sticking.norm();
+Vec3 friction_impulse(const Pull& pull, const Vec3& way) {
+  const Vec3 sliding = way - pull.normal.dot(way) * pull.normal;
+  const Vec3 sticking = pull.friction_impulse - sliding / pull.mobility;
+  const double most = pull.friction * pull.impulse, length = sticking.norm();
   return length > most ? Vec3(sticking * (most / length)) : sticking;
 }
 
 // One visit of one contact; returns how far it moved the sides, in metres.
-double solve_contact(const ContactGeometry& geometry, const std::vector<Vec3>& start, Contact& contact,
-                     std::vector<Vec3>& x) {
-  const double k = mobility(geometry, contact);
-  if (!(k > 0)) return 0;
-  const double violation = contact.normal.dot(weighted_sum(contact, x)) - contact.target;
-  const double change = std::max(-violation / k, -contact.impulse);
-  contact.impulse += change;
-  Vec3 impulse = change * contact.normal;
-  if (change != 0) apply_impulse(geometry, contact, impulse, x);
-  if (contact.friction > 0 && (contact.impulse > 0 || !contact.friction_impulse.isZero(0))) {
-    const Vec3 friction = friction_impulse(contact, k, start, x);
-    apply_impulse(geometry, contact, friction - contact.friction_impulse, x);
-    impulse += friction - contact.friction_impulse;
-    contact.friction_impulse = friction;
+double solve(Pull& pull, std::vector<Vec3>& x) {
+  if (!(pull.mobility > 0)) return 0;
+  const Vec3 apart = weighted_sum(pull, x);
+  const double violation = pull.normal.dot(apart) - pull.target;
+  if (violation >= 0 && pull.impulse == 0 && pull.friction_impulse.isZero(0)) return 0;
+  const double change = std::max(-violation / pull.mobility, -pull.impulse);
+  pull.impulse += change;
+  Vec3 impulse = change * pull.normal;
+  if (pull.friction > 0 && (pull.impulse > 0 || !pull.friction_impulse.isZero(0))) {
+    const Vec3 friction = friction_impulse(pull, apart + pull.mobility * impulse - pull.origin);
+    impulse += friction - pull.friction_impulse;
+    pull.friction_impulse = friction;
   }
-  return k * impulse.norm();
+  apply_impulse(pull, impulse, x);
+  return pull.mobility * impulse.norm();
 }
 
-double push_contact(const ContactGeometry& geometry, const Contact& contact, std::vector<Vec3>& x) {
-  const double k = mobility(geometry, contact);
-  const double lack = contact.push_target - contact.normal.dot(weighted_sum(contact, x));
-  if (!(k > 0) || lack <= 0) return 0;
-  apply_impulse(geometry, contact, lack / k * contact.normal, x);
+double push(const Pull& pull, std::vector<Vec3>& x) {
+  const double lack = pull.target - pull.normal.dot(weighted_sum(pull, x));
+  if (!(pull.mobility > 0) || lack <= 0) return 0;
+  apply_impulse(pull, lack / pull.mobility * pull.normal, x);
   return lack;
+}
+
+// Of all contacts, in the order of their groups. `target` says which of a contact's.
+std::vector<Pull> make_pulls(const ContactGeometry& geometry, const CollisionGroups& groups,
+                             const std::vector<Contact>& contacts, double Contact::*target,
+                             const std::vector<Vec3>& start) {
+  std::vector<Pull> pulls(contacts.size());
+  parallel_for_each(pulls.size(), 512, [&](std::size_t i) {
+    const Contact& contact = contacts[groups.order[i]];
+    pulls[i] = make_pull(geometry, contact, contact.*target, start);
+  });
+  return pulls;
 }
 
 // Up to `sweeps` sweeps over each group, groups in parallel, until a sweep moves nothing by more than
@@ -102,7 +124,7 @@ void sweep_groups(const CollisionGroups& groups, int sweeps, double enough, cons
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       double largest = 0;
       for (std::size_t i = groups.group_begin[g]; i < groups.group_begin[g + 1]; ++i)
-        largest = std::max(largest, visit(groups.order[i]));
+        largest = std::max(largest, visit(i));
       if (largest <= enough) return;
     }
   });
@@ -127,19 +149,24 @@ CollisionGroups group_contacts(const ContactGeometry& geometry, const std::vecto
   return groups;
 }
 
-void resolve_contacts(const ContactGeometry& geometry, const std::vector<Vec3>& start, double thickness,
-                      std::vector<Contact>& contacts, std::vector<Vec3>& x) {
+void resolve_contacts(const ContactGeometry& geometry, const CollisionGroups& groups,
+                      const std::vector<Vec3>& start, double thickness, std::vector<Contact>& contacts,
+                      std::vector<Vec3>& x) {
   constexpr int most_sweeps = 30;
   constexpr double settled = 0.01;
-  const CollisionGroups groups = group_contacts(geometry, contacts);
-  sweep_groups(groups, most_sweeps, settled * thickness,
-               [&](int i) { return solve_contact(geometry, start, contacts[i], x); });
+  std::vector<Pull> pulls = make_pulls(geometry, groups, contacts, &Contact::target, start);
+  sweep_groups(groups, most_sweeps, settled * thickness, [&](std::size_t i) { return solve(pulls[i], x); });
+  for (std::size_t i = 0; i < pulls.size(); ++i) {
+    contacts[groups.order[i]].impulse = pulls[i].impulse;
+    contacts[groups.order[i]].friction_impulse = pulls[i].friction_impulse;
+  }
 }
 
-void push_apart(const ContactGeometry& geometry, const std::vector<Contact>& contacts, std::vector<Vec3>& x) {
-  constexpr int most_sweeps = 4;
-  const CollisionGroups groups = group_contacts(geometry, contacts);
-  sweep_groups(groups, most_sweeps, 0, [&](int i) { return push_contact(geometry, contacts[i], x); });
+void push_apart(const ContactGeometry& geometry, const CollisionGroups& groups,
+                const std::vector<Contact>& contacts, std::vector<Vec3>& x) {
+  constexpr int most_sweeps = 2;
+  const std::vector<Pull> pulls = make_pulls(geometry, groups, contacts, &Contact::push_target, x);
+  sweep_groups(groups, most_sweeps, 0, [&](std::size_t i) { return push(pulls[i], x); });
 }
 
 }  // namespace drape

@@ -16,14 +16,17 @@ CollisionGroups group_contacts(const ContactGeometry& geometry, const std::vecto
 
 // Moves the step's end positions x so that every contact keeps its target: iterated, local,
 // momentum-conserving pulls (after Spillmann and Teschner 2008), as projected Gauss-Seidel on the accumulated
-// impulses, with Coulomb friction against the way since `start`. Goes on from the impulses that the contacts
-// already hold. A group is settled when a sweep moves none of its contacts by more than a hundredth of
-// `thickness` (metres).
-void resolve_contacts(const ContactGeometry& geometry, const std::vector<Vec3>& start, double thickness,
-                      std::vector<Contact>& contacts, std::vector<Vec3>& x);
+// impulses, which the contacts hold afterwards, with Coulomb friction against the way since `start`. A group
+// is settled when a sweep moves none of its contacts by more than a hundredth of `thickness` (metres). What
+// the pulls bring nearer to each other is the next step's to find, and the fail-safe's to keep apart until
+// then.
+void resolve_contacts(const ContactGeometry& geometry, const CollisionGroups& groups,
+                      const std::vector<Vec3>& start, double thickness, std::vector<Contact>& contacts,
+                      std::vector<Vec3>& x);
 
 // Afterwards: moves overlapping sides a little way apart, positions only. What it moves is not to go into the
 // velocities.
-void push_apart(const ContactGeometry& geometry, const std::vector<Contact>& contacts, std::vector<Vec3>& x);
+void push_apart(const ContactGeometry& geometry, const CollisionGroups& groups,
+                const std::vector<Contact>& contacts, std::vector<Vec3>& x);
 
 }  // namespace drape

@@ -184,7 +184,7 @@ cloths:
 colliders:
   block: {box: {size: [0.2, 0.1, 0.2]}, place: {at: [0, 0.05, 0]}}
 test:
-  - {what: smallest_gap, frames: 30, least: 0.0035}
+  - {what: smallest_gap, frames: 30-30, least: 0.0035}
 )");
   const std::string run = (folder / "run").string();
   ASSERT_EQ(run_drape({"simulate", scene, "-o", run}).exit_status, 0);

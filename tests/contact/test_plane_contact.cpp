@@ -29,7 +29,8 @@ std::vector<Contact> plane_contacts(const Scene& scene) {
 
 void resolve(Scene& scene) {
   std::vector<Contact> contacts = plane_contacts(scene);
-  resolve_contacts(scene.geometry, scene.start, thickness, contacts, scene.end);
+  resolve_contacts(scene.geometry, group_contacts(scene.geometry, contacts), scene.start, thickness, contacts,
+                   scene.end);
 }
 
 TEST(PlaneContact, VerticesAtOrUnderTheirThicknessAtTheEndAreInContact) {

@@ -23,12 +23,15 @@ int update(const Scene& scene, Proximity& proximity) {
 struct Listed {
   const PatchPair* patches;
   const ContactPair* pair;
+  double expiry;
 };
 
 std::multimap<Key, Listed> listed_pairs(const Proximity& proximity) {
   std::multimap<Key, Listed> all;
   for (const PatchPair& patches : proximity.pairs)
-    for (const ContactPair& pair : patches.pairs) all.insert({{pair.kind, pair.vertices}, {&patches, &pair}});
+    for (std::size_t i = 0; i < patches.pairs.size(); ++i)
+      all.insert({{patches.pairs[i].kind, patches.pairs[i].vertices},
+                  {&patches, &patches.pairs[i], patches.expiries[i]}});
   return all;
 }
 
@@ -48,12 +51,12 @@ int expect_listed(const Scene& scene, const Proximity& proximity, const std::vec
     const auto [first, last] = listed.equal_range({kind, vertices});
     EXPECT_EQ(std::distance(first, last), 1);
     if (first == last) continue;
-    const auto& [patches, pair] = first->second;
+    const auto& [patches, pair, expiry] = first->second;
     if (stopped)
       EXPECT_GE(patches->travelled + relative_way_if_stopped(proximity, *patches) + 2e-5,
-                pair->expiry + pair->thickness);
+                expiry + pair->thickness);
     else
-      EXPECT_GE(patches->travelled + relative_way(proximity, *patches), pair->expiry);
+      EXPECT_GE(patches->travelled + relative_way(proximity, *patches), expiry);
   }
   return near;
 }
@@ -155,7 +158,8 @@ TEST(Proximity, NoPairIsListedTwiceOrSharesAVertex) {
   EXPECT_GT(keys.size(), 1000u);
 }
 
-// The fail-safe holds pins back from colliders, so it must know of their pairs; colliders may meet each other.
+// The fail-safe holds pins back from colliders, so it must know of their pairs; colliders may meet each
+// other.
 TEST(Proximity, PairsOfPinnedVerticesAreListedAndThoseOfCollidersAreNot) {
   Scene scene = crumpled(8, 0.05);
   const std::size_t free = listed_pairs(scene.proximity()).size();

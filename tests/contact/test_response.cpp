@@ -67,7 +67,8 @@ Vec3 sliding(const Contact& contact, const Scene& scene) {
 
 std::vector<Contact> resolve(Scene& scene) {
   std::vector<Contact> contacts = active(scene);
-  resolve_contacts(scene.geometry, scene.start, thickness, contacts, scene.end);
+  resolve_contacts(scene.geometry, group_contacts(scene.geometry, contacts), scene.start, thickness, contacts,
+                   scene.end);
   return contacts;
 }
 
@@ -107,7 +108,8 @@ TEST(Response, SidesThatPartAnywayAreLeftAlone) {
   std::vector<Contact> contacts = active(scene);
   for (int v = 3; v < 6; ++v) scene.end[v] = scene.start[v] + Vec3(0.01, 1, 0);
   const std::vector<Vec3> before = scene.end;
-  resolve_contacts(scene.geometry, scene.start, thickness, contacts, scene.end);
+  resolve_contacts(scene.geometry, group_contacts(scene.geometry, contacts), scene.start, thickness, contacts,
+                   scene.end);
   EXPECT_EQ(scene.end, before);
 }
 
@@ -141,7 +143,8 @@ TEST(Response, FrictionBrakesAgainstTheSlidingAndNoMore) {
     std::vector<Contact> contacts = active(scene);
     ASSERT_FALSE(contacts.empty());
     contacts.erase(contacts.begin() + 1, contacts.end());
-    resolve_contacts(scene.geometry, scene.start, 1e-6, contacts, scene.end);
+    resolve_contacts(scene.geometry, group_contacts(scene.geometry, contacts), scene.start, 1e-6, contacts,
+                     scene.end);
     const Contact& contact = contacts[0];
     double mobility = 0;
     for (int i = 0; i < 4; ++i)
@@ -168,9 +171,10 @@ TEST(Response, ThePushMovesOverlappingSidesAsFarAsTheirPushTarget) {
   std::vector<Contact> contacts = active(scene);
   ASSERT_FALSE(contacts.empty());
   const Vec3 before = momentum(scene, scene.end);
-  resolve_contacts(scene.geometry, scene.start, thickness, contacts, scene.end);
+  resolve_contacts(scene.geometry, group_contacts(scene.geometry, contacts), scene.start, thickness, contacts,
+                   scene.end);
   EXPECT_EQ(scene.end, scene.start);
-  push_apart(scene.geometry, contacts, scene.end);
+  push_apart(scene.geometry, group_contacts(scene.geometry, contacts), contacts, scene.end);
   EXPECT_NEAR(gap(contacts[0], scene.end), contacts[0].push_target, 1e-9);
   EXPECT_GT(contacts[0].push_target, 0.004);
   EXPECT_LT((momentum(scene, scene.end) - before).norm(), 1e-13);
