@@ -9,6 +9,7 @@
 #include "app/run.h"
 #include "core/file.h"
 #include "simulation/cache.h"
+#include "simulation/colliders.h"
 
 namespace drape::app {
 namespace fs = std::filesystem;
@@ -54,9 +55,15 @@ static void export_frame(const Export& job, int frame) {
     parts.push_back({cloth.input.name, &cloth.input.mesh, {next, end}});
     next = end;
   }
+  auto shaped = cached.collider_points.begin();
   for (std::size_t i = 0; i < job.colliders.size(); ++i) {
     const TriangleMesh& mesh = job.colliders[i];
-    parts.push_back({job.run.scene.colliders[i].input.name, &mesh, moved(mesh, cached.collider_poses[i])});
+    const ColliderInput& collider = job.run.scene.colliders[i].input;
+    const auto end = shaped + (deforms(collider) ? static_cast<std::ptrdiff_t>(mesh.positions.size()) : 0);
+    parts.push_back(
+        {collider.name, &mesh,
+         deforms(collider) ? std::vector<Vec3f>(shaped, end) : moved(mesh, cached.collider_poses[i])});
+    shaped = end;
   }
   write(job, frame_file_name(frame, ""), parts);
 }

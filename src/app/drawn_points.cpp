@@ -77,10 +77,11 @@ std::vector<std::vector<Vec3f>> drawn_points(const PreparedScene& scene, const C
   constexpr int most_rounds = 12, rounds_before_growing = 4;
   const Range range = range_of(scene, frame);
   if (range.flat == range.smooth) return range.smooth;
+  const std::vector<CertifiedCollider> solids = solids_in(scene, frame);
   ClothSurface surface = as_one_surface(scene, range.smooth);
   std::vector<float> shares(surface.positions.size(), 1.0f);
   for (int round = 0; round < most_rounds; ++round) {
-    std::vector<int> faulty = faulty_triangles(surface, certify(surface, scene.solids, frame.collider_poses));
+    std::vector<int> faulty = faulty_triangles(surface, certify(surface, solids, frame.collider_poses));
     if (faulty.empty()) return between(range, shares);
     if (round >= rounds_before_growing) faulty = grown(surface, faulty);
     flatten(surface, faulty, shares);

@@ -48,7 +48,7 @@ ClothSurface drawn_surface(const CertifiedScene& scene, const CachedFrame& frame
 
 static CertifiedSurface judge(const CertifiedScene& scene, const CachedFrame& frame,
                               const ClothSurface& surface, const std::vector<int>& ends) {
-  CertifiedSurface certified = certify(surface, scene.drawn.solids, frame.collider_poses);
+  CertifiedSurface certified = certify(surface, solids_in(scene.drawn, frame), frame.collider_poses);
   if (!scene.self_collision) forget_pairs_within(ends, certified);
   return certified;
 }

@@ -5,6 +5,7 @@
 #include "app/collider_surface.h"
 #include "app/drawn_points.h"
 #include "app/view.h"
+#include "simulation/colliders.h"
 
 namespace drape::app {
 
@@ -46,12 +47,36 @@ PreparedScene prepare_scene(const SceneDescription& scene) {
     prepared.cloths.push_back(prepare_cloth(cloth, first_point));
     first_point += prepared.cloths.back().point_count;
   }
+  std::size_t first_collider_point = 0;
   for (const ColliderDescription& collider : scene.colliders) {
     const bool is_plane = std::holds_alternative<PlaneShape>(collider.input.shape);
     prepared.solids.push_back(certified_collider(collider.input.shape));
-    prepared.colliders.push_back({collider_surface(collider), is_plane, collider.visible});
+    prepared.colliders.push_back({collider_surface(collider), is_plane, collider.visible, {}, 0});
+    if (!deforms(collider.input)) continue;
+    prepared.colliders.back().deforming = collider;
+    prepared.colliders.back().first_point = first_collider_point;
+    first_collider_point += prepared.solids.back().surface->positions.size();
   }
   return prepared;
+}
+
+static void take_shape(const PreparedCollider& collider, const CachedFrame& frame, TriangleMesh& mesh) {
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+    mesh.positions[v] = frame.collider_points[collider.first_point + v].cast<double>();
+}
+
+std::vector<CertifiedCollider> solids_in(const PreparedScene& scene, const CachedFrame& frame) {
+  std::vector<CertifiedCollider> solids = scene.solids;
+  for (std::size_t i = 0; i < solids.size(); ++i)
+    if (scene.colliders[i].deforming) take_shape(scene.colliders[i], frame, *solids[i].surface);
+  return solids;
+}
+
+static render::Surface surface_in(const PreparedCollider& collider, const CachedFrame& frame) {
+  if (!collider.deforming) return collider.surface;
+  ColliderDescription shaped = *collider.deforming;
+  take_shape(collider, frame, std::get<MeshShape>(shaped.input.shape).mesh);
+  return collider_surface(shaped);
 }
 
 static render::Surface cloth_surface(const PreparedCloth& cloth, const std::vector<Vec3f>& positions) {
@@ -74,7 +99,7 @@ std::vector<render::Surface> frame_surfaces(const PreparedScene& scene, const Ca
     const PreparedCollider& collider = scene.colliders[i];
     const RigidPose& pose = frame.collider_poses[i];
     const bool is_ground = collider.is_plane && is_level(pose);  // which frame_view takes care of
-    if (collider.visible && !is_ground) surfaces.push_back(posed(collider.surface, pose));
+    if (collider.visible && !is_ground) surfaces.push_back(posed(surface_in(collider, frame), pose));
   }
   return surfaces;
 }

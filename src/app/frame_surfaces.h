@@ -28,6 +28,8 @@ struct PreparedCollider {
   render::Surface surface;
   bool is_plane = false;
   bool visible = true;
+  std::optional<ColliderDescription> deforming;  // where its surface is another one in each frame
+  std::size_t first_point = 0;                   // of it, in CachedFrame::collider_points
 };
 
 // What is drawn of a scene, as far as it is the same in all frames. Any number of threads may read it.
@@ -37,6 +39,9 @@ struct PreparedScene {
   std::vector<CertifiedCollider> solids;  // what smoothed cloth must not enter, one for each collider
 };
 PreparedScene prepare_scene(const SceneDescription& scene);
+
+// The colliders as they are in a frame, for the certificate: those that deform in their shapes of then.
+std::vector<CertifiedCollider> solids_in(const PreparedScene& scene, const CachedFrame& frame);
 
 // The surfaces of one frame.
 std::vector<render::Surface> frame_surfaces(const PreparedScene& scene, const CachedFrame& frame);

@@ -42,12 +42,13 @@ static Profile profile_from(const Json& json) {
 // The binding names every member: one that is added later stops this from compiling until it is written too.
 static Json statistics_json(const FrameStatistics& statistics) {
   const auto& [largest_stretch, p99_stretch, smallest_stretch, contacts, limited_vertices, kinetic_energy,
-               largest_speed, largest_lag, largest_pin_lag, profile] = statistics;
+               largest_speed, largest_lag, largest_pin_lag, largest_shape_lag, profile] = statistics;
   return {{"largest_stretch", largest_stretch},   {"p99_stretch", p99_stretch},
           {"smallest_stretch", smallest_stretch}, {"contacts", contacts},
           {"limited_vertices", limited_vertices}, {"kinetic_energy", kinetic_energy},
           {"largest_speed", largest_speed},       {"largest_lag", largest_lag},
-          {"largest_pin_lag", largest_pin_lag},   {"cpu_ms", cpu_json(profile)}};
+          {"largest_pin_lag", largest_pin_lag},   {"largest_shape_lag", largest_shape_lag},
+          {"cpu_ms", cpu_json(profile)}};
 }
 
 static FrameStatistics statistics_from(const Json& json) {
@@ -62,6 +63,7 @@ static FrameStatistics statistics_from(const Json& json) {
   read("largest_speed", statistics.largest_speed);
   read("largest_lag", statistics.largest_lag);
   if (json.contains("largest_pin_lag")) read("largest_pin_lag", statistics.largest_pin_lag);
+  if (json.contains("largest_shape_lag")) read("largest_shape_lag", statistics.largest_shape_lag);
   statistics.profile = profile_from(json.at("cpu_ms"));
   return statistics;
 }

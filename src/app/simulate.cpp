@@ -98,9 +98,8 @@ class Keeper {
  public:
   explicit Keeper(Run& run) : run_(run) {}
 
-  void keep(const State& state, const FrameStatistics& statistics) {
+  void keep(const State& state, const CachedFrame& frame, const FrameStatistics& statistics) {
     if (state.frame >= run_.scene.time.first_frame) {
-      const CachedFrame frame = to_cached_frame(state);
       write_cached_frame(run_.folder.cache(), run_.manifest.fingerprint, frame);
       run_.manifest.frames[frame.frame] = {frame.state_hash, statistics, 0};
     }
@@ -126,6 +125,7 @@ namespace {
 
 struct Advanced {
   FrameStatistics statistics;
+  CachedFrame frame;
   std::string failure;  // why the frame is none; empty: it is good
 };
 
@@ -133,19 +133,19 @@ struct Advanced {
 
 static Advanced try_to_advance(Simulation& simulation) {
   try {
-    return {simulation.advance_frame(), ""};
+    return {simulation.advance_frame(), {}, ""};
   } catch (const SimulationError& error) {
-    return {{}, error.what()};
+    return {{}, {}, error.what()};
   }
 }
 
 // No frame is kept that is not certified.
-static FrameStatistics advance(Simulation& simulation, const Run& run, const CertifiedScene& scene,
-                               Keeper& keeper) {
+static Advanced advance(Simulation& simulation, const Run& run, const CertifiedScene& scene, Keeper& keeper) {
   const State before = simulation.state();
   Advanced advanced = try_to_advance(simulation);
-  CertifiedSurface certified = certify_simulated(scene, to_cached_frame(simulation.state()));
-  if (advanced.failure.empty() && is_clean(certified)) return advanced.statistics;
+  advanced.frame = to_cached_frame(simulation.state(), simulation.input().colliders);
+  CertifiedSurface certified = certify_simulated(scene, advanced.frame);
+  if (advanced.failure.empty() && is_clean(certified)) return advanced;
   if (advanced.failure.empty()) advanced.failure = "something is through something";
   keeper.save(before);
   stop_with_capsule(run, {before, simulation.state(), std::move(certified), advanced.failure});
@@ -157,31 +157,49 @@ static void advance_to_last_frame(Simulation& simulation, Run& run, const Consol
   Progress progress(console, "simulate", last, simulation.state().frame);
   Keeper keeper(run);
   while (simulation.state().frame < last && stop_signal() == 0) {
-    const FrameStatistics statistics = advance(simulation, run, scene, keeper);
-    keeper.keep(simulation.state(), statistics);
-    progress.update(simulation.state().frame, statistics.contacts);
+    const Advanced advanced = advance(simulation, run, scene, keeper);
+    keeper.keep(simulation.state(), advanced.frame, advanced.statistics);
+    progress.update(simulation.state().frame, advanced.statistics.contacts);
   }
   keeper.save(simulation.state());
+}
+
+namespace {
+
+// The worst of a figure over all frames.
+struct Worst {
+  double value = 0;
+  int frame = 0;
+};
+
+}  // namespace
+
+static Worst worst_of(const Run& run, double FrameStatistics::*figure) {
+  Worst worst;
+  for (const auto& [frame, record] : run.manifest.frames)
+    if (record.statistics.*figure > worst.value) worst = {record.statistics.*figure, frame};
+  return worst;
 }
 
 // What did not go where its keyframes say, because cloth or a collider was in the way.
 static void tell_lags(const Run& run, const Console& console) {
   constexpr double seconds_noticed = 0.01, metres_noticed = 0.001;
-  double collider = 0, pin = 0;
-  int collider_frame = 0, pin_frame = 0;
-  for (const auto& [frame, record] : run.manifest.frames) {
-    if (record.statistics.largest_lag > collider)
-      collider = record.statistics.largest_lag, collider_frame = frame;
-    if (record.statistics.largest_pin_lag > pin) pin = record.statistics.largest_pin_lag, pin_frame = frame;
-  }
-  if (collider > seconds_noticed)
+  const Worst collider = worst_of(run, &FrameStatistics::largest_lag),
+              pin = worst_of(run, &FrameStatistics::largest_pin_lag),
+              shape = worst_of(run, &FrameStatistics::largest_shape_lag);
+  if (collider.value > seconds_noticed)
     warn(console, fmt::format("cloth holds a collider up: in frame {} it is {:.3g} s behind its keyframes",
-                              collider_frame, collider));
-  if (pin > metres_noticed)
+                              collider.frame, collider.value));
+  if (pin.value > metres_noticed)
     warn(console,
          fmt::format("something is in the way of a pin: in frame {} its vertices are up to {:.3g} mm from "
                      "where it would have them",
-                     pin_frame, 1000 * pin));
+                     pin.frame, 1000 * pin.value));
+  if (shape.value > metres_noticed)
+    warn(console,
+         fmt::format("cloth is in the way of a collider's shape: in frame {} its points are up to {:.3g} "
+                     "mm from where the files have them",
+                     shape.frame, 1000 * shape.value));
 }
 
 // What a refused start costs is not the frames of an earlier one.

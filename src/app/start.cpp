@@ -8,10 +8,10 @@
 
 #include "app/fault_picture.h"
 #include "app/triangle_names.h"
-#include "core/rigid_motion.h"
 #include "mesh/loop_subdivision.h"
 #include "render/png_file.h"
 #include "scene/load.h"
+#include "simulation/colliders.h"
 
 namespace drape::app {
 namespace fs = std::filesystem;
@@ -38,7 +38,9 @@ static Colliders colliders_at_start(const SceneDescription& scene) {
   Colliders colliders;
   for (const ColliderDescription& collider : scene.colliders) {
     colliders.solids.push_back(certified_collider(collider.input.shape));
-    colliders.poses.push_back(pose_at(collider.input.motion, 0));
+    colliders.poses.push_back(collider_pose(collider.input, 0));
+    if (deforms(collider.input))
+      colliders.solids.back().surface->positions = collider_points(collider.input, 0);
   }
   return colliders;
 }

@@ -12,8 +12,9 @@ namespace drape {
 // One cloth or one collider. Its primitives are ranges of the geometry's lists.
 struct ContactBody {
   bool is_cloth = true;
-  double thickness = 0;  // cloth: the distance that is kept, in m
-  double radius = 0;     // collider: what its points and edges are rounded by (sphere, capsule)
+  bool is_rigid = false;  // a collider that keeps its shape
+  double thickness = 0;   // cloth: the distance that is kept, in m
+  double radius = 0;      // collider: what its points and edges are rounded by (sphere, capsule)
   double friction = 0;
   int vertex_begin = 0, vertex_end = 0;
   int edge_begin = 0, edge_end = 0;

@@ -212,12 +212,12 @@ void hold_over_planes(const Work& work) {
         hold_over_plane(work, plane, v);
 }
 
-// A rigid collider goes one share: the least of its vertices'.
+// A rigid collider goes one share: the least of its vertices'. One that deforms yields where it must.
 void keep_colliders_rigid(const Work& work) {
   Progress& progress = work.progress;
   for (std::size_t b = 0; b < work.phase.geometry.bodies.size(); ++b) {
     const ContactBody& body = work.phase.geometry.bodies[b];
-    if (body.is_cloth) continue;
+    if (!body.is_rigid) continue;
     double& least = progress.body_share[b];
     for (int v = body.vertex_begin; v < body.vertex_end; ++v) least = std::min(least, progress.share[v]);
     for (int v = body.vertex_begin; v < body.vertex_end; ++v)

@@ -23,7 +23,11 @@ std::vector<int> first_equal_points(const std::vector<Vec3>& points) {
 }
 
 std::vector<int> first_equal_points(const std::vector<Vec3>& points, const std::vector<Vec3>& other_points) {
-  const std::vector<int> first = first_equal_points(points), other_first = first_equal_points(other_points);
+  return first_equal_points(first_equal_points(points), other_points);
+}
+
+std::vector<int> first_equal_points(const std::vector<int>& first, const std::vector<Vec3>& points) {
+  const std::vector<int> other_first = first_equal_points(points);
   std::map<std::pair<int, int>, int> first_in_both;
   std::vector<int> result(points.size());
   for (int i = 0; i < static_cast<int>(result.size()); ++i)
@@ -94,6 +98,14 @@ ShapedMesh weld(const PolygonSoup& rest, const PolygonSoup& start) {
   ShapedMesh shaped{weld(start, first), keep_first(start.points, first)};
   shaped.mesh.positions = keep_first(rest.points, first);
   return shaped;
+}
+
+MeshInShapes weld(const std::vector<PolygonSoup>& soups) {
+  std::vector<int> first = first_equal_points(soups.front().points);
+  for (std::size_t i = 1; i < soups.size(); ++i) first = first_equal_points(first, soups[i].points);
+  MeshInShapes result{weld(soups.front(), first), {}};
+  for (const PolygonSoup& soup : soups) result.shapes.push_back(keep_first(soup.points, first));
+  return result;
 }
 
 }  // namespace drape

@@ -22,6 +22,9 @@ std::vector<int> first_equal_points(const std::vector<Vec3>& points);
 // Of two shapes of the same faces: for each point the first one that is at its place in both.
 std::vector<int> first_equal_points(const std::vector<Vec3>& points, const std::vector<Vec3>& other_points);
 
+// Of more shapes of them: `first` of the ones before, and where the points are in the next.
+std::vector<int> first_equal_points(const std::vector<int>& first, const std::vector<Vec3>& points);
+
 // Whether the polygons of both have the same corners in the same order.
 bool have_same_faces(const PolygonSoup& a, const PolygonSoup& b);
 
@@ -44,5 +47,12 @@ struct ShapedMesh {
   std::vector<Vec3> start_positions;
 };
 ShapedMesh weld(const PolygonSoup& rest, const PolygonSoup& start);
+
+// One mesh in many shapes, the first of them its own. Needs one at least, all with the same faces.
+struct MeshInShapes {
+  TriangleMesh mesh;
+  std::vector<std::vector<Vec3>> shapes;
+};
+MeshInShapes weld(const std::vector<PolygonSoup>& soups);
 
 }  // namespace drape

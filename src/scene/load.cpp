@@ -15,6 +15,7 @@
 #include "scene/section.h"
 #include "scene/section_values.h"
 #include "scene/variables.h"
+#include "simulation/colliders.h"
 
 namespace drape {
 namespace {
@@ -54,6 +55,20 @@ void read_name(const Section& scene, std::string& name) {
                         fmt::format("name must be one line without /, of at most {} bytes", longest));
 }
 
+// A pin keeps its vertices in the frame of what it follows, and what deforms has none.
+void check_followers(const SceneDescription& scene, ProblemList& problems) {
+  for (const ClothDescription& cloth : scene.cloths)
+    for (const PinInput& pin : cloth.input.pins) {
+      if (!pin.collider || *pin.collider >= static_cast<int>(scene.colliders.size())) continue;
+      const ColliderInput& collider = scene.colliders[*pin.collider].input;
+      if (deforms(collider))
+        problems.add(cloth.place,
+                     fmt::format("cloths.{}: a pin can't follow {}, which is a sequence of meshes: give "
+                                 "the pin an animation of its own",
+                                 cloth.input.name, collider.name));
+    }
+}
+
 SceneDescription read_scene(const Node& root, const std::filesystem::path& path, ProblemList& problems) {
   SceneDescription description;
   description.file = path.string();
@@ -66,6 +81,7 @@ SceneDescription read_scene(const Node& root, const std::filesystem::path& path,
   read_world(scene, description);
   description.cloths = read_cloths(scene, path.parent_path(), description.time.fps);
   description.colliders = read_colliders(scene, path.parent_path(), description.time.fps);
+  check_followers(description, problems);
   description.seams = read_seams(scene, description.cloths, description.time.fps);
   read_measure(scene, description);
   read_facts(scene, description);

@@ -5,6 +5,7 @@
 #include "scene/read_look.h"
 #include "scene/read_mesh_key.h"
 #include "scene/read_motion.h"
+#include "scene/read_sequence.h"
 #include "scene/section_values.h"
 
 namespace drape {
@@ -51,7 +52,7 @@ ColliderShape read_capsule(const Section& collider) {
 }
 
 std::optional<ColliderShape> read_shape(const Section& collider, const std::filesystem::path& scene_folder,
-                                        RigidMotion& motion) {
+                                        double fps, RigidMotion& motion) {
   const std::string_view shape =
       exactly_one(collider, "shape", {"plane", "sphere", "box", "cylinder", "capsule", "mesh"});
   if (shape == "plane") return read_plane(collider, motion);
@@ -59,9 +60,11 @@ std::optional<ColliderShape> read_shape(const Section& collider, const std::file
   if (shape == "box") return read_box(collider);
   if (shape == "cylinder") return read_cylinder(collider);
   if (shape == "capsule") return read_capsule(collider);
-  if (shape == "mesh")
-    if (auto mesh = read_mesh_key(collider, scene_folder)) return MeshShape{std::move(*mesh)};
-  return std::nullopt;
+  if (shape != "mesh") return std::nullopt;
+  if (names_sequence(text_of(collider, "mesh"))) return read_sequence(collider, scene_folder, fps);
+  auto mesh = read_mesh_key(collider, scene_folder);
+  if (!mesh) return std::nullopt;
+  return MeshShape{std::move(*mesh)};
 }
 
 }  // namespace
@@ -77,7 +80,7 @@ std::vector<ColliderDescription> read_colliders(const Section& scene,
     read_number(section, "friction", collider.input.friction);
     read_boolean(section, "visible", collider.visible);
     read_look(section, collider.look);
-    auto shape = read_shape(section, scene_folder, collider.input.motion);
+    auto shape = read_shape(section, scene_folder, fps, collider.input.motion);
     if (!shape) continue;
     collider.input.shape = std::move(*shape);
     colliders.push_back(std::move(collider));

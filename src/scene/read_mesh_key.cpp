@@ -26,22 +26,26 @@ static std::optional<PolygonSoup> read_or_report(const fs::path& path, const Sec
   return std::nullopt;
 }
 
-static std::string text_of(const Section& section, std::string_view key) {
+std::string text_of(const Section& section, std::string_view key) {
   std::string text;
   read_text(section, key, text);
   return text;
 }
 
-static std::optional<PolygonSoup> read_polygons_key(const Section& section, std::string_view key,
-                                                    const fs::path& scene_folder) {
-  const std::string name = text_of(section, key);
-  if (name.empty()) return std::nullopt;
+std::optional<PolygonSoup> read_polygons_of(const Section& section, std::string_view key,
+                                            const std::string& name, const fs::path& scene_folder) {
   const auto path = find_scene_file(name, path_of(section, key), scene_folder, scene_folder,
                                     find_value(section, key)->place, *section.problems);
   return path ? read_or_report(*path, section, key) : std::nullopt;
 }
 
-static bool is_fit(const Section& section, std::string_view key, const TriangleMesh& mesh) {
+static std::optional<PolygonSoup> read_polygons_key(const Section& section, std::string_view key,
+                                                    const fs::path& scene_folder) {
+  const std::string name = text_of(section, key);
+  return name.empty() ? std::nullopt : read_polygons_of(section, key, name, scene_folder);
+}
+
+bool is_fit(const Section& section, std::string_view key, const TriangleMesh& mesh) {
   const std::vector<std::string> faults = check_manifold(mesh);
   for (const std::string& fault : faults)
     section.problems->add_file_fault(

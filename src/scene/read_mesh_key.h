@@ -8,6 +8,18 @@
 
 namespace drape {
 
+// A key's text; empty, and a problem, where it is none.
+std::string text_of(const Section& section, std::string_view key);
+
+// The polygons of a file that a key names, under the scene's folder. Nothing, and a problem at the key, where
+// they cannot be had.
+std::optional<PolygonSoup> read_polygons_of(const Section& section, std::string_view key,
+                                            const std::string& name,
+                                            const std::filesystem::path& scene_folder);
+
+// Whether a mesh is one to simulate with; problems at the key where it is not.
+bool is_fit(const Section& section, std::string_view key, const TriangleMesh& mesh);
+
 // The key `mesh` of a section: read, and checked to be fit for simulation.
 std::optional<TriangleMesh> read_mesh_key(const Section& section, const std::filesystem::path& scene_folder);
 

@@ -23,7 +23,7 @@ namespace {
 
 // Part of every fingerprint. To be counted up with each change that makes the same scene move in another way,
 // or that adds a value to the fingerprint: what is in a cache from before is then not taken for the scene's.
-constexpr std::uint64_t fingerprint_version = 4;
+constexpr std::uint64_t fingerprint_version = 5;
 
 // Numbers go in as their bytes, lists after their length, so that no two scenes run together.
 class Fingerprint {
@@ -107,7 +107,12 @@ class Fingerprint {
   void add(const BoxShape& box) { add(box.size); }
   void add(const CapsuleShape& capsule) { add(capsule.radius), add(capsule.length); }
   void add(const CylinderShape& cylinder) { add(cylinder.radius), add(cylinder.height); }
-  void add(const MeshShape& shape) { add(shape.mesh); }
+  void add(const MeshShape& shape) {
+    add(shape.mesh);
+    add(std::uint64_t{shape.shapes.size()});
+    for (const std::vector<Vec3>& points : shape.shapes) add(points);
+    add(shape.first_time), add(shape.interval);
+  }
   void add(const ColliderInput& collider) {
     add(std::uint64_t{collider.shape.index()});
     std::visit([&](const auto& shape) { add(shape); }, collider.shape);

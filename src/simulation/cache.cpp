@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <zstd.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstring>
@@ -16,6 +17,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/hash.h"
+#include "simulation/colliders.h"
 
 namespace drape {
 namespace {
@@ -25,7 +27,7 @@ static_assert(std::endian::native == std::endian::little, "the files hold number
 
 enum class Kind : std::uint32_t { frame = 1, checkpoint = 2 };
 constexpr std::string_view magic("DRAPE\0\0\0", 8);
-constexpr std::uint32_t format_version = 2;
+constexpr std::uint32_t format_version = 3;
 constexpr int compression_level = 1;  // positions hardly compress further, and each frame waits for it
 
 // What stands before the compressed content. `hash` covers the fields after it and the compressed content, so
@@ -193,11 +195,25 @@ fs::path checkpoint_path(const fs::path& folder) { return folder / "checkpoint.d
 
 }  // namespace
 
-CachedFrame to_cached_frame(const State& state) {
+// Where rigid colliders are, their poses say.
+static std::vector<Vec3f> deformed_points(const State& state, const std::vector<ColliderInput>& colliders) {
+  std::vector<Vec3f> points;
+  auto next = state.collider_points.begin();
+  for (const ColliderInput& collider : colliders) {
+    const auto end = next + static_cast<std::ptrdiff_t>(collider_primitives(collider.shape).points.size());
+    if (deforms(collider))
+      std::for_each(next, end, [&](const Vec3& p) { points.push_back(p.cast<float>()); });
+    next = end;
+  }
+  return points;
+}
+
+CachedFrame to_cached_frame(const State& state, const std::vector<ColliderInput>& colliders) {
   CachedFrame frame;
   frame.frame = state.frame;
   frame.state_hash = state_hash(state);
   frame.collider_poses = state.collider_poses;
+  frame.collider_points = deformed_points(state, colliders);
   frame.positions.reserve(state.positions.size());
   for (const Vec3& position : state.positions) frame.positions.push_back(position.cast<float>());
   return frame;
@@ -213,6 +229,7 @@ void write_cached_frame(const fs::path& folder, std::uint64_t fingerprint, const
   content.add(frame.state_hash);
   content.add_all(frame.positions);
   content.add_all(frame.collider_poses);
+  content.add_all(frame.collider_points);
   write(cached_frame_path(folder, frame.frame), Kind::frame, fingerprint, content.bytes());
 }
 
@@ -227,7 +244,8 @@ CachedFrame read_cached_frame(const fs::path& folder, std::uint64_t fingerprint,
   CachedFrame cached;
   std::int64_t number = 0;
   if (!content.take(number) || !content.take(cached.state_hash) || !content.take_all(cached.positions) ||
-      !content.take_all(cached.collider_poses) || !content.at_end())
+      !content.take_all(cached.collider_poses) || !content.take_all(cached.collider_points) ||
+      !content.at_end())
     fail_damaged(path, "its sizes disagree");
   if (number != frame) fail_damaged(path, fmt::format("it holds frame {}", number));
   cached.frame = frame;

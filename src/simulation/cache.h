@@ -21,9 +21,10 @@ struct CachedFrame {
   std::uint64_t state_hash = 0;
   std::vector<Vec3f> positions;  // of all cloths, one after another
   std::vector<RigidPose> collider_poses;
+  std::vector<Vec3f> collider_points;  // in the world, of the colliders that deform, one after another
 };
 
-CachedFrame to_cached_frame(const State& state);
+CachedFrame to_cached_frame(const State& state, const std::vector<ColliderInput>& colliders);
 
 std::filesystem::path cached_frame_path(const std::filesystem::path& folder, int frame);
 void write_cached_frame(const std::filesystem::path& folder, std::uint64_t fingerprint,

@@ -64,8 +64,13 @@ struct CylinderShape {
   double radius;
   double height;
 };  // along its own y, centred
+// A surface, or a sequence of its shapes: equally long after one another, linear in between, the first before
+// and the last after them.
 struct MeshShape {
-  TriangleMesh mesh;
+  TriangleMesh mesh;                           // the first shape
+  std::vector<std::vector<Vec3>> shapes = {};  // positions of the mesh's points; empty: it keeps its shape
+  double first_time = 0;                       // seconds, of the first one
+  double interval = 0;                         // seconds from one to the next
 };
 using ColliderShape = std::variant<PlaneShape, SphereShape, BoxShape, CapsuleShape, MeshShape, CylinderShape>;
 

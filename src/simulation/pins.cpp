@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/come_after.h"
+
 namespace drape {
 namespace {
 
@@ -84,20 +86,12 @@ void for_each_held(const std::vector<Pin>& pins, double begin, double end, const
   }
 }
 
-// Most vertices are where their pin has them. One that lags comes after it with haste, not in one leap.
-Vec3 towards(const Vec3& place, const Vec3& pin_start, const Vec3& pin_end, double duration) {
-  constexpr double haste = 0.5;  // m/s
-  const Vec3 way = pin_end - place;
-  const double longest = (pin_end - pin_start).norm() + haste * duration, length = way.norm();
-  return length > longest ? Vec3(place + way * (longest / length)) : pin_end;
-}
-
 }  // namespace
 
 void place_pinned(const std::vector<Pin>& pins, double begin, double end, const State& state,
                   std::span<const BodyMotion> colliders, std::vector<Vec3>& x) {
   for_each_held(pins, begin, end, state, colliders, [&](int v, const Vec3& pin_start, const Vec3& pin_end) {
-    x[v] = towards(x[v], pin_start, pin_end, end - begin);
+    x[v] = come_after(x[v], pin_start, pin_end, end - begin);
   });
 }
 

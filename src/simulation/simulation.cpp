@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/hash.h"
+#include "simulation/colliders.h"
 #include "simulation/forces.h"
 #include "simulation/statistics.h"
 #include "simulation/step.h"
@@ -60,6 +61,7 @@ FrameStatistics Simulation::advance_frame() {
   for (const double reached : state.collider_times)
     statistics.largest_lag = std::max(statistics.largest_lag, now - reached);
   statistics.largest_pin_lag = largest_pin_lag(world.pins, now, state);
+  statistics.largest_shape_lag = largest_shape_lag(world.input.colliders, now, state.collider_points);
   statistics.profile = profile;
   return statistics;
 }

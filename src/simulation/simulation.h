@@ -27,13 +27,14 @@ struct FrameStatistics {
   double largest_stretch = 1;  // edge length over rest length
   double p99_stretch = 1;
   double smallest_stretch = 1;
-  int contacts = 0;            // at the frame's last step
-  int limited_vertices = 0;    // summed over the frame's steps: vertices that the fail-safe held back
-  double kinetic_energy = 0;   // J
-  double largest_speed = 0;    // m/s
-  double largest_lag = 0;      // seconds that a collider is behind its keyframes
-  double largest_pin_lag = 0;  // m that a pinned vertex is from where its pin would have it
-  Profile profile;             // CPU seconds of this frame
+  int contacts = 0;              // at the frame's last step
+  int limited_vertices = 0;      // summed over the frame's steps: vertices that the fail-safe held back
+  double kinetic_energy = 0;     // J
+  double largest_speed = 0;      // m/s
+  double largest_lag = 0;        // seconds that a collider is behind its keyframes
+  double largest_pin_lag = 0;    // m that a pinned vertex is from where its pin would have it
+  double largest_shape_lag = 0;  // m that a point of a deforming collider is from where its shapes have it
+  Profile profile;               // CPU seconds of this frame
 };
 
 // A simulation of one scene: the same input gives the same bits with any number of threads.

@@ -4,6 +4,8 @@
 #include <span>
 
 #include "core/error.h"
+#include "simulation/colliders.h"
+#include "simulation/come_after.h"
 #include "simulation/forces.h"
 
 namespace drape {
@@ -19,18 +21,36 @@ void gather_start(const State& state, Scratch& scratch) {
   scratch.end = scratch.start;
 }
 
-// Where the colliders make for: their pose at `time`, or what of it they can catch up with.
+// A rigid collider makes for its pose at `time`, or what of it it can catch up with.
+void aim_rigid(const World& world, std::size_t c, double time, const State& state, Scratch& scratch,
+               Vec3* points) {
+  const RigidMotion& motion = world.input.colliders[c].motion;
+  const double reached = state.collider_times[c];
+  scratch.collider_aims[c] = std::min(time, reached + catch_up * world.step);
+  BodyMotion& body = scratch.bodies[world.input.cloths.size() + c];
+  body = {pose_at(motion, reached), pose_at(motion, scratch.collider_aims[c])};
+  for (const Vec3& local : world.collider_points[c]) *points++ = body.end(local);
+}
+
+// One that deforms makes for its shape at `time`, and each of its points catches up by itself.
+void aim_shape(const World& world, std::size_t c, double time, Scratch& scratch, Vec3* points) {
+  const ColliderInput& collider = world.input.colliders[c];
+  const std::vector<Vec3> from = collider_points(collider, time - world.step),
+                          to = collider_points(collider, time);
+  scratch.collider_aims[c] = time;
+  for (std::size_t i = 0; i < to.size(); ++i) points[i] = come_after(points[i], from[i], to[i], world.step);
+}
+
 void aim_colliders(const World& world, double time, const State& state, Scratch& scratch) {
   scratch.bodies.assign(world.geometry.bodies.size(), {});
   scratch.collider_aims.resize(world.input.colliders.size());
-  std::size_t point = state.positions.size();
+  Vec3* points = scratch.end.data() + state.positions.size();
   for (std::size_t c = 0; c < world.input.colliders.size(); ++c) {
-    const RigidMotion& motion = world.input.colliders[c].motion;
-    const double reached = state.collider_times[c];
-    scratch.collider_aims[c] = std::min(time, reached + catch_up * world.step);
-    BodyMotion& body = scratch.bodies[world.input.cloths.size() + c];
-    body = {pose_at(motion, reached), pose_at(motion, scratch.collider_aims[c])};
-    for (const Vec3& local : world.collider_points[c]) scratch.end[point++] = body.end(local);
+    if (deforms(world.input.colliders[c]))
+      aim_shape(world, c, time, scratch, points);
+    else
+      aim_rigid(world, c, time, state, scratch, points);
+    points += world.collider_points[c].size();
   }
 }
 
@@ -77,7 +97,7 @@ void integrate(const World& world, const ContactStepResult& contact, State& stat
     const double share = contact.body_progress[world.input.cloths.size() + c];
     double& reached = state.collider_times[c];
     reached = share < 1 ? reached + share * (scratch.collider_aims[c] - reached) : scratch.collider_aims[c];
-    state.collider_poses[c] = pose_at(world.input.colliders[c].motion, reached);
+    state.collider_poses[c] = collider_pose(world.input.colliders[c], reached);
   }
 }
 

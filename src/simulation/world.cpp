@@ -53,6 +53,7 @@ void add_collider_body(const ColliderInput& collider, const ColliderPrimitives& 
                        ContactGeometry& geometry) {
   ContactBody body;
   body.is_cloth = false;
+  body.is_rigid = !deforms(collider);
   body.radius = primitives.radius;
   body.friction = collider.friction;
   body.vertex_begin = static_cast<int>(geometry.vertex_body.size());
@@ -164,10 +165,10 @@ State initial_state(const World& world) {
     state.velocities.resize(state.positions.size(), cloth.start_velocity);
   }
   for (std::size_t c = 0; c < world.input.colliders.size(); ++c) {
-    const RigidPose pose = pose_at(world.input.colliders[c].motion, 0);
-    for (const Vec3& point : world.collider_points[c]) state.collider_points.push_back(pose(point));
+    for (const Vec3& point : collider_points(world.input.colliders[c], 0))
+      state.collider_points.push_back(point);
     state.collider_times.push_back(0);
-    state.collider_poses.push_back(pose);
+    state.collider_poses.push_back(collider_pose(world.input.colliders[c], 0));
   }
   grab(world.pins, 0, state);
   start_seams(world.seams, 0, state.positions, state.seam_lengths);

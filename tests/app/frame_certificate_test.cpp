@@ -50,6 +50,18 @@ TEST(FrameCertificate, HasTheStretchAgainstTheRestShape) {
   EXPECT_FALSE(certificate.drawn);
 }
 
+// The frame says what shape a collider has that deforms: in one of two it reaches through the sheet.
+TEST(FrameCertificate, JudgesAgainstTheShapeThatAColliderHasInTheFrame) {
+  const TriangleMesh box = make_box({0.2, 0.2, 0.2});
+  MeshShape shape{box, {box.positions, box.positions}, 0, 1};
+  const SceneDescription scene = sheet_and(shape);
+  CachedFrame frame = at_rest(scene);
+  for (const Vec3& p : box.positions) frame.collider_points.push_back((p + Vec3(0, -0.2, 0)).cast<float>());
+  EXPECT_TRUE(is_certified(certificate_of(scene, frame)));
+  for (Vec3f& p : frame.collider_points) p.y() += 0.2f;
+  EXPECT_GT(certificate_of(scene, frame).simulated.collider_triangles, 0);
+}
+
 TEST(FrameCertificate, SeesOneClothThroughAnother) {
   SceneDescription scene;
   scene.cloths = {cloth_of(make_grid({1, 1}, {5, 5})), cloth_of(make_grid({1, 1}, {5, 5}))};

@@ -27,6 +27,7 @@ Manifest sample_manifest() {
   record.statistics.contacts = 42;
   record.statistics.largest_lag = 0.25;
   record.statistics.largest_pin_lag = 0.125;
+  record.statistics.largest_shape_lag = 0.25;
   record.statistics.profile[Phase::narrow] = 0.125;
   record.picture_hash = 5;
   manifest.stages["render"] = {1.5, 2.5};
@@ -45,6 +46,7 @@ TEST(Manifest, ComesBackFromJsonAsItWas) {
   EXPECT_EQ(manifest.frames.at(7).statistics.largest_stretch, 1.0 / 3);
   EXPECT_EQ(manifest.frames.at(7).statistics.largest_lag, 0.25);
   EXPECT_EQ(manifest.frames.at(7).statistics.largest_pin_lag, 0.125);
+  EXPECT_EQ(manifest.frames.at(7).statistics.largest_shape_lag, 0.25);
   EXPECT_EQ(manifest.frames.at(7).statistics.profile.cpu_seconds[2], 0.125);
   EXPECT_EQ(manifest.stages.at("render").cpu_seconds, 2.5);
   EXPECT_EQ(manifest.certificate->key, 0xabc);

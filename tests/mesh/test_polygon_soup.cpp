@@ -67,6 +67,19 @@ TEST(Weld, PointsOfTwoShapesAreOneWhereTheyAreEqualInBoth) {
   EXPECT_EQ(shaped.start_positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}}));
 }
 
+TEST(Weld, PointsOfManyShapesAreOneWhereTheyAreEqualInAll) {
+  const PolygonSoup first = separate_triangles();
+  PolygonSoup second = first, third = first;
+  for (Vec3& p : second.points) p.z() += 1;
+  third.points[3].z() = 2;  // no more where point 2 is
+  const MeshInShapes two = weld(std::vector{first, second}), three = weld(std::vector{first, second, third});
+  EXPECT_EQ(two.mesh.positions.size(), 4u);
+  EXPECT_EQ(three.mesh.positions.size(), 5u);
+  ASSERT_EQ(three.shapes.size(), 3u);
+  EXPECT_EQ(three.shapes[0], three.mesh.positions);
+  EXPECT_EQ(three.shapes[2][3], Vec3(0, 1, 2));
+}
+
 TEST(SoupStream, ComesBackTheSame) {
   PolygonSoup soup = separate_triangles();
   soup.uvs = {{0, 1}};

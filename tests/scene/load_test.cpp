@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/error.h"
@@ -172,6 +173,25 @@ TEST(Load, ClothMayStartInAnotherShapeThanItHasAtRest) {
   const ClothInput& cloth = scene.cloths.at(0).input;
   EXPECT_EQ(cloth.mesh.positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 0, -1}}));
   EXPECT_EQ(cloth.start_positions, (std::vector<Vec3>{{0, 3, 0}, {2, 3, 0}, {0, 3, -2}}));
+}
+
+TEST(Load, ASequenceOfMeshesIsACollidersShapeAtEachFrame) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "body");
+  for (int i : {8, 9, 10})
+    folder.write(fmt::format("body/b_{:02}.obj", i),
+                 fmt::format("v 0 0 0\nv {} 0 0\nv 0 0 -1\nf 1 2 3\n", i));
+  folder.write("body/b_x1.obj", "is not one of them");
+  folder.write("scene.yaml",
+               "version: 1\ntime: {fps: 20}\ncloths: {a: {grid: {size: [1, 1], points: [2, 2]}}}\n"
+               "colliders: {b: {mesh: body/b_##.obj}}\n");
+  const SceneDescription scene = load_scene((folder.path() / "scene.yaml").string());
+  const auto& shape = std::get<MeshShape>(scene.colliders.at(0).input.shape);
+  ASSERT_EQ(shape.shapes.size(), 3u);
+  EXPECT_EQ(shape.shapes[2][1], Vec3(10, 0, 0));
+  EXPECT_EQ(shape.mesh.positions, shape.shapes[0]);
+  EXPECT_DOUBLE_EQ(shape.first_time, 0.4);
+  EXPECT_DOUBLE_EQ(shape.interval, 0.05);
 }
 
 TEST(Load, OfAMissingSceneHasStatusThree) {

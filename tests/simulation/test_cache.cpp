@@ -18,7 +18,7 @@ constexpr std::uint64_t fingerprint = 0x1234;
 RigidPose a_pose() { return {rotation_from_degrees({10, 20, 30}), Vec3(1, 2, 3)}; }
 
 CachedFrame a_frame(int number = 7) {
-  CachedFrame frame{number, 0xabcdef, {}, {a_pose(), RigidPose{}}};
+  CachedFrame frame{number, 0xabcdef, {}, {a_pose(), RigidPose{}}, {{1, 2, 3}, {4, 5, 6}}};
   for (int i = 0; i < 1000; ++i) frame.positions.emplace_back(float(i) / 3, -float(i), 1e-30f * float(i));
   return frame;
 }
@@ -68,6 +68,7 @@ TEST(CachedFrames, ComeBackBitForBit) {
   ASSERT_EQ(same.collider_poses.size(), 2u);
   expect_same(same.collider_poses[0], frame.collider_poses[0]);
   expect_same(same.collider_poses[1], frame.collider_poses[1]);
+  EXPECT_EQ(same.collider_points, frame.collider_points);
 }
 
 TEST(CachedFrames, MayBeEmpty) {

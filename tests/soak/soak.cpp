@@ -28,7 +28,8 @@ static std::string fault_of(const app::FrameCertificate& certificate) {
 
 static void advance(Simulation& simulation, const app::CertifiedScene& scene, Outcome& outcome) {
   const FrameStatistics statistics = simulation.advance_frame();
-  const app::FrameCertificate certificate = certify_frame(scene, to_cached_frame(simulation.state()));
+  const app::FrameCertificate certificate =
+      certify_frame(scene, to_cached_frame(simulation.state(), simulation.input().colliders));
   ++outcome.frames;
   outcome.held_back += statistics.limited_vertices;
   outcome.largest_stretch = std::max(outcome.largest_stretch, certificate.largest_stretch);

@@ -1,0 +1,107 @@
+#include "scene/read_sequence.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "mesh/polygon_soup.h"
+#include "scene/read_mesh_key.h"
+#include "scene/section_values.h"
+
+namespace drape {
+namespace fs = std::filesystem;
+
+static constexpr std::size_t most_files = 100'000, most_points = 50'000'000;
+
+bool names_sequence(const std::string& name) { return name.find('#') != std::string::npos; }
+
+namespace {
+
+// "body." and ".obj" about a number of some digits.
+struct Pattern {
+  std::string before, after;
+  std::size_t digits;
+};
+
+}  // namespace
+
+static Pattern pattern_of(const std::string& file_name) {
+  const std::size_t begin = file_name.find('#'), end = file_name.find_last_of('#') + 1;
+  return {file_name.substr(0, begin), file_name.substr(end), end - begin};
+}
+
+// The number in a name that fits the pattern, with as many digits or more.
+static std::optional<int> number_in(const Pattern& pattern, const std::string& name) {
+  const std::size_t fixed = pattern.before.size() + pattern.after.size();
+  if (name.size() < fixed + pattern.digits || name.size() > fixed + 9) return std::nullopt;
+  if (!name.starts_with(pattern.before) || !name.ends_with(pattern.after)) return std::nullopt;
+  const std::string digits = name.substr(pattern.before.size(), name.size() - fixed);
+  const bool is_number =
+      std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+  return is_number ? std::optional(std::stoi(digits)) : std::nullopt;
+}
+
+// By number, the names as in the scene.
+static std::map<int, std::string> files_of(const fs::path& name, const fs::path& scene_folder) {
+  const Pattern pattern = pattern_of(name.filename().string());
+  const fs::path folder = scene_folder / name.parent_path();
+  std::map<int, std::string> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, error))
+    if (const auto number = number_in(pattern, entry.path().filename().string()))
+      files[*number] = (name.parent_path() / entry.path().filename()).string();
+  return files;
+}
+
+static bool check_numbers(const Section& section, const std::string& name,
+                          const std::map<int, std::string>& files) {
+  const auto complain = [&](const std::string& what) {
+    section.problems->add_file_fault(find_value(section, "mesh")->place,
+                                     fmt::format("{}: {}: {}", path_of(section, "mesh"), name, what));
+    return false;
+  };
+  if (files.size() < 2) return complain("needs two files at least that fit this pattern (# is a digit)");
+  if (files.size() > most_files) return complain(fmt::format("more than {} files", most_files));
+  int next = files.begin()->first;
+  for (const auto& [number, file] : files)
+    if (number != next++) return complain(fmt::format("number {} is missing before {}", next - 1, file));
+  return true;
+}
+
+// All of them, or nothing and a problem.
+static std::vector<PolygonSoup> read_all(const Section& section, const fs::path& scene_folder,
+                                         const std::map<int, std::string>& files) {
+  std::vector<PolygonSoup> soups;
+  for (const auto& [number, file] : files) {
+    auto soup = read_polygons_of(section, "mesh", file, scene_folder);
+    if (!soup) return {};
+    const auto complain = [&](const std::string& what) {
+      section.problems->add_file_fault(find_value(section, "mesh")->place,
+                                       fmt::format("{}: {}", path_of(section, "mesh"), what));
+      return std::vector<PolygonSoup>();
+    };
+    if (!soups.empty() && !have_same_faces(soups.front(), *soup))
+      return complain(
+          fmt::format("{} has {}, and {} has {}: all shapes need the same faces in the same order", file,
+                      size_text(*soup), files.begin()->second, size_text(soups.front())));
+    if (files.size() * soup->points.size() > most_points)
+      return complain(fmt::format("{} files of {} points are more than {} points", files.size(),
+                                  soup->points.size(), most_points));
+    soups.push_back(std::move(*soup));
+  }
+  return soups;
+}
+
+std::optional<MeshShape> read_sequence(const Section& section, const fs::path& scene_folder, double fps) {
+  const std::string name = text_of(section, "mesh");
+  const std::map<int, std::string> files = files_of(name, scene_folder);
+  if (!check_numbers(section, name, files)) return std::nullopt;
+  const std::vector<PolygonSoup> soups = read_all(section, scene_folder, files);
+  if (soups.empty()) return std::nullopt;
+  MeshInShapes welded = weld(soups);
+  if (!is_fit(section, "mesh", welded.mesh)) return std::nullopt;
+  return MeshShape{std::move(welded.mesh), std::move(welded.shapes), files.begin()->first / fps, 1 / fps};
+}
+
+}  // namespace drape
