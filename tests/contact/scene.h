@@ -83,6 +83,7 @@ struct Scene {
   static ContactBody collider(double radius) {
     ContactBody body;
     body.is_cloth = false;
+    body.is_rigid = true;
     body.radius = radius;
     return body;
   }
