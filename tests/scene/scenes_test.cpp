@@ -15,12 +15,13 @@ namespace fs = std::filesystem;
 
 static fs::path scenes_folder() { return fs::path(DRAPE_SOURCE_DIR) / "scenes"; }
 
-// Those of the folder and of scenes/paper; scenes/materials has only parts to include.
+// Those of the folder, of scenes/paper and of scenes/contact; scenes/materials and the walker have only parts to
+// include.
 static std::vector<std::string> scenes() {
   std::vector<std::string> names;
-  for (const fs::path folder : {".", "paper"})
+  for (const fs::path folder : {".", "paper", "contact"})
     for (const auto& entry : fs::directory_iterator(scenes_folder() / folder))
-      if (entry.path().extension() == ".yaml")
+      if (entry.path().extension() == ".yaml" && entry.path().stem() != "walker")
         names.push_back((folder / entry.path().stem()).lexically_normal());
   return names;
 }
@@ -29,6 +30,7 @@ class Scene : public testing::TestWithParam<std::string> {};
 
 TEST_P(Scene, Loads) {
   const auto scene = load_scene(scenes_folder() / (GetParam() + ".yaml"));
+  EXPECT_EQ(scene.facts.empty(), !GetParam().starts_with("contact/"));
   for (const ClothDescription& cloth : scene.cloths)
     EXPECT_TRUE(check_manifold(cloth.input.mesh).empty()) << cloth.input.name;
 }
