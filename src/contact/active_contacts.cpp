@@ -74,10 +74,22 @@ struct Moment {
   double travelled, way_in_step;
 };
 
+// The place of a contact that is there from the start. On a rounded collider it is where the step leads:
+// there it moves smoothly, and the place of before would be a step late, by which edges that lie on a ball
+// rock for ever.
+ClosestPoints standing_place(const NarrowPhase& phase, const ContactPair& pair,
+                             const ClosestPoints& at_start) {
+  constexpr double least_share = 0.5;  // of the radius: deeper, the direction is not to be trusted
+  if (pair.radius == 0) return at_start;
+  const ClosestPoints at_end = closest_points(pair.kind, gather(phase.motion.end, pair.vertices));
+  return at_end.distance > least_share * pair.radius ? at_end : at_start;
+}
+
 // Where the pair makes its contact: now, if it is near enough, or on the way.
 std::optional<ClosestPoints> contact_place(const NarrowPhase& phase, const ContactPair& pair,
                                            const FourPoints& start, const ClosestPoints& at_start) {
-  if (at_start.distance <= pair.radius + (1 + arrival_share) * pair.thickness) return at_start;
+  if (at_start.distance <= pair.radius + (1 + arrival_share) * pair.thickness)
+    return standing_place(phase, pair, at_start);
   const FourPoints end = gather(phase.motion.end, pair.vertices);
   const auto time =
       time_of_contact(pair.kind, start, end, pair.radius + pair.thickness, arrival_share * pair.thickness);
