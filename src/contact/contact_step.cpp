@@ -30,15 +30,6 @@ std::vector<Contact> find_contacts(const NarrowPhase& phase, Proximity& proximit
   return contacts;
 }
 
-// Moves overlapping sides apart; returns what of the way was that.
-std::vector<Vec3> push(const ContactGeometry& geometry, const CollisionGroups& groups,
-                       const std::vector<Contact>& contacts, std::vector<Vec3>& end) {
-  std::vector<Vec3> way = end;
-  push_apart(geometry, groups, contacts, end);
-  for (std::size_t v = 0; v < end.size(); ++v) way[v] = end[v] - way[v];
-  return way;
-}
-
 }  // namespace
 
 static FailSafeResult let_go(const ContactGeometry& geometry) {
@@ -66,16 +57,18 @@ ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSe
   std::vector<Contact> contacts =
       timed(profile, Phase::narrow, [&] { return find_contacts(phase, proximity); });
   result.contacts = static_cast<int>(contacts.size());
+  std::vector<double> push_impulses;
   timed(profile, Phase::response, [&] {
     const CollisionGroups groups = group_contacts(geometry, contacts);
     resolve_contacts(geometry, groups, start, settings.largest_thickness, contacts, end);
-    result.push = push(geometry, groups, contacts, end);
+    push_impulses = push_apart(geometry, groups, contacts, end);
   });
   timed(profile, Phase::broad, [&] { find_pairs(phase, settings, proximity); });
   const FailSafeResult held = timed(profile, Phase::fail_safe, [&] {
     return settings.fail_safe ? hold_back(phase, proximity, settings.least_gap, end) : let_go(geometry);
   });
-  for (std::size_t v = 0; v < end.size(); ++v) result.push[v] *= held.vertex_progress[v];
+  timed(profile, Phase::response,
+        [&] { result.push = pushed_ways(geometry, contacts, push_impulses, start, end); });
   result.body_progress = held.body_progress;
   result.limited_vertices = held.limited_vertices;
   timed(profile, Phase::broad, [&] { follow_motion(phase.motion, proximity); });

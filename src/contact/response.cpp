@@ -97,9 +97,10 @@ double solve(Pull& pull, std::vector<Vec3>& x) {
   return pull.mobility * impulse.norm();
 }
 
-double push(const Pull& pull, std::vector<Vec3>& x) {
+double push(Pull& pull, std::vector<Vec3>& x) {
   const double lack = pull.target - pull.normal.dot(weighted_sum(pull, x));
   if (!(pull.mobility > 0) || lack <= 0) return 0;
+  pull.impulse += lack / pull.mobility;
   apply_impulse(pull, lack / pull.mobility * pull.normal, x);
   return lack;
 }
@@ -162,11 +163,28 @@ void resolve_contacts(const ContactGeometry& geometry, const CollisionGroups& gr
   }
 }
 
-void push_apart(const ContactGeometry& geometry, const CollisionGroups& groups,
-                const std::vector<Contact>& contacts, std::vector<Vec3>& x) {
+std::vector<double> push_apart(const ContactGeometry& geometry, const CollisionGroups& groups,
+                               const std::vector<Contact>& contacts, std::vector<Vec3>& x) {
   constexpr int most_sweeps = 2;
-  const std::vector<Pull> pulls = make_pulls(geometry, groups, contacts, &Contact::push_target, x);
+  std::vector<Pull> pulls = make_pulls(geometry, groups, contacts, &Contact::push_target, x);
   sweep_groups(groups, most_sweeps, 0, [&](std::size_t i) { return push(pulls[i], x); });
+  std::vector<double> impulses(contacts.size());
+  for (std::size_t i = 0; i < pulls.size(); ++i) impulses[groups.order[i]] = pulls[i].impulse;
+  return impulses;
+}
+
+std::vector<Vec3> pushed_ways(const ContactGeometry& geometry, const std::vector<Contact>& contacts,
+                              const std::vector<double>& push_impulses, const std::vector<Vec3>& start,
+                              const std::vector<Vec3>& end) {
+  std::vector<Vec3> ways(end.size(), Vec3::Zero());
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (push_impulses[i] == 0) continue;
+    const Pull pull = make_pull(geometry, contacts[i], 0, start);
+    const double parted = pull.normal.dot(weighted_sum(pull, end) - pull.origin);
+    const double share = std::clamp(parted / (push_impulses[i] * pull.mobility), 0.0, 1.0);
+    apply_impulse(pull, share * push_impulses[i] * pull.normal, ways);
+  }
+  return ways;
 }
 
 }  // namespace drape

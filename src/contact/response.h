@@ -24,9 +24,16 @@ void resolve_contacts(const ContactGeometry& geometry, const CollisionGroups& gr
                       const std::vector<Vec3>& start, double thickness, std::vector<Contact>& contacts,
                       std::vector<Vec3>& x);
 
-// Afterwards: moves overlapping sides a little way apart, positions only. What it moves is not to go into the
-// velocities.
-void push_apart(const ContactGeometry& geometry, const CollisionGroups& groups,
-                const std::vector<Contact>& contacts, std::vector<Vec3>& x);
+// Afterwards: moves overlapping sides a little way apart, positions only. Returns the impulse of each contact
+// in kg m.
+std::vector<double> push_apart(const ContactGeometry& geometry, const CollisionGroups& groups,
+                               const std::vector<Contact>& contacts, std::vector<Vec3>& x);
+
+// What of the vertices' ways from `start` to `end` was such a push and must not go into the velocities, in m:
+// of each contact as much as its sides have really parted. Where something pushes them together again, the
+// push is no way, and to take it from the velocity would leave one with which nothing moves.
+std::vector<Vec3> pushed_ways(const ContactGeometry& geometry, const std::vector<Contact>& contacts,
+                              const std::vector<double>& push_impulses, const std::vector<Vec3>& start,
+                              const std::vector<Vec3>& end);
 
 }  // namespace drape

@@ -195,6 +195,17 @@ TEST(TurningSphere, OneThatRollsUnderTheClothLeavesItWhereItIs) {
   EXPECT_NEAR(way.x(), 0, 1e-5);
 }
 
+// A triangle that lies on the ball and tilts meanwhile: the place is where it touches then.
+TEST(RoundedCollider, AStandingContactIsWhereTheStepLeads) {
+  Scene scene = on_sphere(0, {0, 0, 1}, 0, {0, 0, 0});
+  for (int v = 0; v < 3; ++v) scene.end[v].y() -= 0.2 * scene.start[v].x();
+  const std::vector<Contact> contacts = active(scene);
+  ASSERT_EQ(contacts.size(), 1u);
+  const double tilt = std::atan(0.2);
+  EXPECT_NEAR(std::abs(contacts[0].normal.x()), std::sin(tilt), 1e-3);
+  EXPECT_GT(std::abs(contact_point(scene.start, contacts[0]).x()), 0.05);
+}
+
 TEST(TurningSphere, OneThatDoesNotTurnAddsNothing) {
   const std::vector<Contact> contacts = active(on_sphere(1, {0, 0, 1}, 0, {0.01, 0.01, 0}));
   ASSERT_EQ(contacts.size(), 1u);

@@ -180,6 +180,37 @@ TEST(Response, ThePushMovesOverlappingSidesAsFarAsTheirPushTarget) {
   EXPECT_LT((momentum(scene, scene.end) - before).norm(), 1e-13);
 }
 
+Vec3 weighted_sum_of_masses(const Scene& scene, const std::vector<Vec3>& ways) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t v = 0; v < ways.size(); ++v)
+    if (scene.geometry.inverse_masses[v] > 0) sum += ways[v] / scene.geometry.inverse_masses[v];
+  return sum;
+}
+
+// Of one contact, so that its push is all that parts the sides.
+TEST(Response, OfThePushThatMuchIsNoVelocityAsTheSidesHaveParted) {
+  Scene scene = colliding(5, 0);
+  for (int v = 3; v < 6; ++v) scene.end[v] = scene.start[v] -= Vec3(0, 0.096, 0);  // 4 mm apart
+  const std::vector<Contact> contacts = {active(scene).at(0)};
+  const std::vector<double> impulses =
+      push_apart(scene.geometry, group_contacts(scene.geometry, contacts), contacts, scene.end);
+  ASSERT_GT(impulses.at(0), 0);
+  const auto ways = [&](double share) {
+    std::vector<Vec3> reached = scene.start;
+    for (std::size_t v = 0; v < reached.size(); ++v) reached[v] += share * (scene.end[v] - scene.start[v]);
+    return pushed_ways(scene.geometry, contacts, impulses, scene.start, reached);
+  };
+  const std::vector<Vec3> all = ways(1), more = ways(2), half = ways(0.5), none = ways(0), back = ways(-1);
+  for (std::size_t v = 0; v < all.size(); ++v) {
+    EXPECT_LT((all[v] - (scene.end[v] - scene.start[v])).norm(), 1e-15);
+    EXPECT_LT((more[v] - all[v]).norm(), 1e-15);
+    EXPECT_LT((half[v] - 0.5 * all[v]).norm(), 1e-15);
+    EXPECT_EQ(none[v], Vec3(Vec3::Zero()));
+    EXPECT_EQ(back[v], Vec3(Vec3::Zero()));
+  }
+  EXPECT_LT(weighted_sum_of_masses(scene, half).norm(), 1e-15);
+}
+
 TEST(Response, TheSameBitsWithAnyNumberOfThreads) {
   std::vector<std::vector<Vec3>> results;
   for (const int threads : {1, 2, 4}) {
