@@ -9,6 +9,14 @@ function(drape_room name)
   target_link_libraries(drape_${name} PUBLIC ${ROOM_ROOMS} ${ROOM_PUBLIC_PACKAGES} PRIVATE ${ROOM_PACKAGES})
 endfunction()
 
+# What nearly every test includes, read once: a third of the time to build the tests goes there.
+function(precompile_test_headers)
+  file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp "int main() {}\n")
+  add_executable(test_headers ${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp)
+  target_link_libraries(test_headers PRIVATE drape_core GTest::gtest_main)
+  target_precompile_headers(test_headers PRIVATE <gtest/gtest.h> <Eigen/Core> <Eigen/Geometry> <Eigen/LU>)
+endfunction()
+
 # drape_test(NAME SOURCES ... ROOMS ...): one test program a room, its cases registered with CTest one by one.
 function(drape_test name)
   cmake_parse_arguments(TEST "" "" "SOURCES;ROOMS;PACKAGES" ${ARGN})
@@ -16,6 +24,7 @@ function(drape_test name)
   list(TRANSFORM TEST_ROOMS PREPEND drape_)
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(test_${name} PRIVATE ${TEST_ROOMS} ${TEST_PACKAGES} GTest::gtest_main)
+  target_precompile_headers(test_${name} REUSE_FROM test_headers)
   target_compile_definitions(test_${name} PRIVATE DRAPE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60)
 endfunction()

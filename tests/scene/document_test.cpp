@@ -118,7 +118,8 @@ TEST(Document, RefusesWhatEscapesBringBack) {
 
 TEST(Document, QuotesWithoutCuttingACharacter) {
   EXPECT_EQ(quote("short"), "`short`");
-  EXPECT_EQ(quote(std::string(59, 'x') + "\xC3\xA4\xC3\xA4"), "`" + std::string(59, 'x') + "...`");
+  const std::string letters(59, 'x');
+  EXPECT_EQ(quote(letters + "\xC3\xA4\xC3\xA4"), "`" + letters + "...`");
   EXPECT_EQ(quote("one\ntwo"), "`one...`");
 }
 
