@@ -53,7 +53,7 @@ Vec3 turning(const NarrowPhase& phase, const ContactPair& pair, const ClosestPoi
 Contact make_contact(const NarrowPhase& phase, const ContactPair& pair, const ClosestPoints& closest,
                      double start_distance) {
   Contact contact{};
-  contact.key = {static_cast<int>(pair.kind), pair.vertices};
+  contact.kind = static_cast<int>(pair.kind);
   contact.vertices = pair.vertices;
   contact.weights = closest.weights;
   contact.normal = closest.difference / closest.distance;
@@ -126,30 +126,18 @@ void examine_pairs(const NarrowPhase& phase, const Moment& moment, PatchPair& pa
   update_next(patches);
 }
 
-// Which list a contact comes from and when that was made must not matter.
-void append_in_order(const std::vector<Contact>& found, std::vector<Contact>& contacts) {
-  std::vector<const Contact*> order;
-  order.reserve(found.size());
-  for (const Contact& contact : found) order.push_back(&contact);
-  std::sort(order.begin(), order.end(), [](const Contact* a, const Contact* b) { return a->key < b->key; });
-  contacts.reserve(contacts.size() + found.size());
-  for (const Contact* contact : order) contacts.push_back(*contact);
-}
-
 }  // namespace
 
 void find_active_pairs(const NarrowPhase& phase, Proximity& proximity, std::vector<Contact>& contacts) {
   constexpr std::size_t block = 128;
-  std::vector<Contact> found;
   parallel_collect(
-      proximity.pairs.size(), block, found,
+      proximity.pairs.size(), block, contacts,
       [&](std::size_t begin, std::size_t end, std::vector<Contact>& out) {
         for (std::size_t p = begin; p < end; ++p) {
           PatchPair& patches = proximity.pairs[p];
           examine_pairs(phase, {patches.travelled, relative_way(proximity, patches)}, patches, out);
         }
       });
-  append_in_order(found, contacts);
 }
 
 // A vertex at or under its thickness over the plane, at the step's end.
@@ -161,7 +149,7 @@ static void add_plane_contact(const NarrowPhase& phase, const ContactPlane& plan
   const double start_height = up_start.dot(phase.motion.start[v] - motion.start.translation);
   const double offset = up_end.dot(motion.end.translation);
   Contact contact{};
-  contact.key = {2 + plane.body, {v, v, v, v}};
+  contact.kind = 2 + plane.body;
   contact.vertices = {v, v, v, v};
   contact.weights = {1, 0, 0, 0};
   contact.normal = up_end;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <utility>
 #include <vector>
 
 #include "contact/contact_geometry.h"
@@ -9,13 +8,10 @@
 
 namespace drape {
 
-// Which pair a contact is of: its kind (or 2 + the plane's body) and its vertices.
-using ContactKey = std::pair<int, std::array<int, 4>>;
-
 // A contact that the response has to hold: along `normal`, the two sides (weights as in ClosestPoints) must
 // stay `target` apart at the step's end.
 struct Contact {
-  ContactKey key;
+  int kind;  // of its pair, or 2 + the plane's body: with the vertices, which contact it is
   std::array<int, 4> vertices;
   std::array<double, 4> weights;  // a vertex that plays no part has 0
   Vec3 normal;                    // unit, from the second side to the first
@@ -23,8 +19,6 @@ struct Contact {
   double push_target;  // m: what the push after the step grows towards
   double friction;
   Vec3 turn;  // m: what the turning of a rounded or plane collider adds to the sides' relative motion
-  double impulse = 0;                    // lambda: kg m, never negative
-  Vec3 friction_impulse = Vec3::Zero();  // across the normal, no longer than friction * impulse
 };
 
 // Where a body is at the start and the end of the step; cloths have none.
@@ -41,7 +35,7 @@ struct NarrowPhase {
 };
 
 // The listed pairs that come within their thickness on the way, each at the first time that they do (section
-// 5 of the paper: collisions are detected on the future positions); in the order of their keys. Pairs that
+// 5 of the paper: collisions are detected on the future positions); in no order. Pairs that
 // are known to be too far are passed over. The lists must be up to date with this motion.
 void find_active_pairs(const NarrowPhase& phase, Proximity& proximity, std::vector<Contact>& contacts);
 

@@ -54,21 +54,20 @@ ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSe
   const NarrowPhase phase{geometry, bodies, {start, end}, settings.healing};
   ContactStepResult result;
   timed(profile, Phase::broad, [&] { find_pairs(phase, settings, proximity); });
-  std::vector<Contact> contacts =
+  const std::vector<Contact> contacts =
       timed(profile, Phase::narrow, [&] { return find_contacts(phase, proximity); });
   result.contacts = static_cast<int>(contacts.size());
-  std::vector<double> push_impulses;
+  Response response;
   timed(profile, Phase::response, [&] {
-    const CollisionGroups groups = group_contacts(geometry, contacts);
-    resolve_contacts(geometry, groups, start, settings.largest_thickness, contacts, end);
-    push_impulses = push_apart(geometry, groups, contacts, end);
+    response = begin_response(geometry, contacts, start);
+    resolve_contacts(settings.largest_thickness, response, end);
+    push_apart(response, end);
   });
   timed(profile, Phase::broad, [&] { find_pairs(phase, settings, proximity); });
   const FailSafeResult held = timed(profile, Phase::fail_safe, [&] {
     return settings.fail_safe ? hold_back(phase, proximity, settings.least_gap, end) : let_go(geometry);
   });
-  timed(profile, Phase::response,
-        [&] { result.push = pushed_ways(geometry, contacts, push_impulses, start, end); });
+  timed(profile, Phase::response, [&] { result.push = pushed_ways(response, end); });
   result.body_progress = held.body_progress;
   result.limited_vertices = held.limited_vertices;
   timed(profile, Phase::broad, [&] { follow_motion(phase.motion, proximity); });

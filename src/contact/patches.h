@@ -22,8 +22,6 @@ struct Bounds {
   Vec4 lower, upper;
 };
 
-inline Vec4 padded(const Vec3& x) { return {x.x(), x.y(), x.z(), 0}; }
-
 inline void include(Bounds& bounds, const Vec4& point) {
   bounds.lower = bounds.lower.cwiseMin(point);
   bounds.upper = bounds.upper.cwiseMax(point);

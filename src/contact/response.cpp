@@ -1,188 +1,170 @@
 #include "contact/response.h"
 
 #include <algorithm>
-#include <array>
-#include <numeric>
+#include <cmath>
 
 #include "core/parallel.h"
 
 namespace drape {
 namespace {
 
-int root_of(std::vector<int>& parents, int v) {
-  while (parents[v] != v) v = parents[v] = parents[parents[v]];
-  return v;
+std::vector<Vec4> all_padded(const std::vector<Vec3>& x) {
+  std::vector<Vec4> result(x.size());
+  parallel_for_each(x.size(), 4096, [&](std::size_t v) { result[v] = padded(x[v]); });
+  return result;
 }
 
-// Union-find over the moving vertices; the root is the smallest vertex of the group.
-void join_vertices(const ContactGeometry& geometry, const Contact& contact, std::vector<int>& parents) {
-  int first = -1;
-  for (int i = 0; i < 4; ++i) {
-    if (contact.weights[i] == 0 || geometry.inverse_masses[contact.vertices[i]] == 0) continue;
-    const int root = root_of(parents, contact.vertices[i]);
-    if (first < 0) first = root;
-    const auto [low, high] = std::minmax(first, root);
-    parents[high] = low;
-    first = low;
-  }
+void unpad(const std::vector<Vec4>& padded, std::vector<Vec3>& x) {
+  parallel_for_each(x.size(), 4096, [&](std::size_t v) { x[v] = padded[v].head<3>(); });
 }
 
-int group_root(const ContactGeometry& geometry, const Contact& contact, std::vector<int>& parents) {
+template <typename Points>
+auto weighted_sum(const Pull& pull, const Points& x) {
+  return (pull.weights[0] * x[pull.vertices[0]] + pull.weights[1] * x[pull.vertices[1]] +
+          pull.weights[2] * x[pull.vertices[2]] + pull.weights[3] * x[pull.vertices[3]])
+      .eval();
+}
+
+// A vertex that plays no part may be another group's, whose thread writes it: one that plays a part is read
+// in its place.
+std::array<int, 4> vertices_that_count(const Contact& contact) {
+  const int first = contact.weights[0] != 0 ? 0 : contact.weights[1] != 0 ? 1 : 2;
+  std::array<int, 4> vertices = contact.vertices;
   for (int i = 0; i < 4; ++i)
-    if (contact.weights[i] != 0 && geometry.inverse_masses[contact.vertices[i]] > 0)
-      return root_of(parents, contact.vertices[i]);
-  return -1;
+    if (contact.weights[i] == 0) vertices[i] = vertices[first];
+  return vertices;
 }
 
-// What the sweeps need of a contact, in the order in which they come to it.
-struct Pull {
-  std::array<int, 4> vertices;
-  std::array<double, 4> weights, responses;  // the second: how far each vertex goes under a unit impulse
-  Vec3 normal;
-  double mobility;  // how far the sides part under a unit impulse
-  double target, friction;
-  Vec3 origin;  // where the sides were to each other at the start, less what turns with a collider
-  double impulse = 0;
-  Vec3 friction_impulse = Vec3::Zero();
-};
-
-Vec3 weighted_sum(const Pull& pull, const std::vector<Vec3>& x) {
-  Vec3 sum = Vec3::Zero();
-  for (int i = 0; i < 4; ++i)
-    if (pull.weights[i] != 0) sum += pull.weights[i] * x[pull.vertices[i]];  // may be another group's
-  return sum;
-}
-
-Pull make_pull(const ContactGeometry& geometry, const Contact& contact, double target,
-               const std::vector<Vec3>& start) {
-  Pull pull{contact.vertices, contact.weights,  {},           contact.normal, 0,
-            target,           contact.friction, -contact.turn};
+Pull make_pull(const ContactGeometry& geometry, const Contact& contact, const std::vector<Vec3>& start) {
+  Pull pull{};
+  pull.vertices = vertices_that_count(contact);
+  pull.target = contact.target;
+  pull.push_target = contact.push_target;
+  pull.friction = contact.friction;
+  pull.normal = padded(contact.normal);
   for (int i = 0; i < 4; ++i) {
+    pull.weights[i] = contact.weights[i];
     pull.responses[i] = geometry.inverse_masses[contact.vertices[i]] * contact.weights[i];
     pull.mobility += pull.responses[i] * contact.weights[i];
   }
-  pull.origin += weighted_sum(pull, start);
+  pull.effective_mass = pull.mobility > 0 ? 1 / pull.mobility : 0;
+  pull.origin = padded(weighted_sum(pull, start) - contact.turn);
   return pull;
 }
 
-void apply_impulse(const Pull& pull, const Vec3& impulse, std::vector<Vec3>& x) {
+template <typename Points, typename Impulse>
+void apply_impulse(const Pull& pull, const Impulse& impulse, Points& x) {
   for (int i = 0; i < 4; ++i)
     if (pull.responses[i] != 0)  // a collider may be another group's too
       x[pull.vertices[i]] += pull.responses[i] * impulse;
 }
 
 // The impulse that Coulomb's cone allows for, after one that would stop all sliding since the step's start.
-Vec3 friction_impulse(const Pull& pull, const Vec3& way) {
-  const Vec3 sliding = way - pull.normal.dot(way) * pull.normal;
-  const Vec3 sticking = pull.friction_impulse - sliding / pull.mobility;
-  const double most = pull.friction * pull.impulse, length = sticking.norm();
-  return length > most ? Vec3(sticking * (most / length)) : sticking;
+Vec4 friction_impulse(const Pull& pull, const Vec4& way) {
+  const Vec4 sliding = way - pull.normal.dot(way) * pull.normal;
+  const Vec4 sticking = pull.friction_impulse - pull.effective_mass * sliding;
+  const double most = pull.friction * pull.impulse, squared_length = sticking.squaredNorm();
+  return squared_length > most * most ? Vec4(sticking * (most / std::sqrt(squared_length))) : sticking;
 }
 
-// One visit of one contact; returns how far it moved the sides, in metres.
-double solve(Pull& pull, std::vector<Vec3>& x) {
+// One visit of one contact; returns how far it moved the sides, in metres, squared.
+double solve(Pull& pull, std::vector<Vec4>& x) {
   if (!(pull.mobility > 0)) return 0;
-  const Vec3 apart = weighted_sum(pull, x);
+  const Vec4 apart = weighted_sum(pull, x);
   const double violation = pull.normal.dot(apart) - pull.target;
   if (violation >= 0 && pull.impulse == 0 && pull.friction_impulse.isZero(0)) return 0;
-  const double change = std::max(-violation / pull.mobility, -pull.impulse);
+  const double change = std::max(-violation * pull.effective_mass, -pull.impulse);
   pull.impulse += change;
-  Vec3 impulse = change * pull.normal;
+  Vec4 impulse = change * pull.normal;
   if (pull.friction > 0 && (pull.impulse > 0 || !pull.friction_impulse.isZero(0))) {
-    const Vec3 friction = friction_impulse(pull, apart + pull.mobility * impulse - pull.origin);
+    const Vec4 friction = friction_impulse(pull, apart + pull.mobility * impulse - pull.origin);
     impulse += friction - pull.friction_impulse;
     pull.friction_impulse = friction;
   }
   apply_impulse(pull, impulse, x);
-  return pull.mobility * impulse.norm();
+  return pull.mobility * pull.mobility * impulse.squaredNorm();
 }
 
-double push(Pull& pull, std::vector<Vec3>& x) {
-  const double lack = pull.target - pull.normal.dot(weighted_sum(pull, x));
+double push(Pull& pull, std::vector<Vec4>& x) {
+  const double lack = pull.push_target - pull.normal.dot(weighted_sum(pull, x));
   if (!(pull.mobility > 0) || lack <= 0) return 0;
-  pull.impulse += lack / pull.mobility;
-  apply_impulse(pull, lack / pull.mobility * pull.normal, x);
-  return lack;
+  pull.push_impulse += lack / pull.mobility;
+  apply_impulse(pull, (lack / pull.mobility * pull.normal).eval(), x);
+  return lack * lack;
 }
 
-// Of all contacts, in the order of their groups. `target` says which of a contact's.
-std::vector<Pull> make_pulls(const ContactGeometry& geometry, const CollisionGroups& groups,
-                             const std::vector<Contact>& contacts, double Contact::*target,
-                             const std::vector<Vec3>& start) {
-  std::vector<Pull> pulls(contacts.size());
-  parallel_for_each(pulls.size(), 512, [&](std::size_t i) {
-    const Contact& contact = contacts[groups.order[i]];
-    pulls[i] = make_pull(geometry, contact, contact.*target, start);
-  });
-  return pulls;
-}
-
-// Up to `sweeps` sweeps over each group, groups in parallel, until a sweep moves nothing by more than
-// `enough`.
+// A visit for each contact, up to `most` times, until none moves anything by more than `enough` metres. It
+// returns how far it moved something, squared.
 template <typename Visit>
-void sweep_groups(const CollisionGroups& groups, int sweeps, double enough, const Visit& visit) {
-  parallel_for_each(groups.group_begin.size() - 1, 1, [&](std::size_t g) {
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-      double largest = 0;
-      for (std::size_t i = groups.group_begin[g]; i < groups.group_begin[g + 1]; ++i)
-        largest = std::max(largest, visit(i));
-      if (largest <= enough) return;
-    }
+struct Sweeps {
+  int most;
+  double enough;
+  Visit visit;
+};
+
+// Returns whether anything moved by more than is enough.
+template <typename Visit>
+bool sweep_range(const Sweeps<Visit>& sweeps, std::size_t begin, std::size_t end, std::vector<Pull>& pulls) {
+  bool moved = false;
+  for (std::size_t i = begin; i < end; ++i) moved |= sweeps.visit(pulls[i]) > sweeps.enough * sweeps.enough;
+  return moved;
+}
+
+// Its parts at once, then what joins them.
+template <typename Visit>
+bool sweep_group(const Sweeps<Visit>& sweeps, const CollisionGroup& group, std::vector<Pull>& pulls) {
+  const std::vector<std::size_t>& begin = group.part_begin;
+  std::vector<char> moved(begin.size(), false);
+  if (!begin.empty())
+    parallel_for_each(begin.size() - 1, 1,
+                      [&](std::size_t p) { moved[p] = sweep_range(sweeps, begin[p], begin[p + 1], pulls); });
+  const bool joint_moved = sweep_range(sweeps, group.joints_begin, group.end, pulls);
+  return joint_moved || std::find(moved.begin(), moved.end(), true) != moved.end();
+}
+
+template <typename Visit>
+void sweep_groups(const Sweeps<Visit>& sweeps, Response& response) {
+  parallel_for_each(response.groups.groups.size(), 1, [&](std::size_t g) {
+    for (int sweep = 0; sweep < sweeps.most; ++sweep)
+      if (!sweep_group(sweeps, response.groups.groups[g], response.pulls)) return;
   });
 }
 
 }  // namespace
 
-CollisionGroups group_contacts(const ContactGeometry& geometry, const std::vector<Contact>& contacts) {
-  std::vector<int> parents(geometry.vertex_body.size());
-  std::iota(parents.begin(), parents.end(), 0);
-  for (const Contact& contact : contacts) join_vertices(geometry, contact, parents);
-  std::vector<int> roots(contacts.size());
-  for (std::size_t i = 0; i < contacts.size(); ++i) roots[i] = group_root(geometry, contacts[i], parents);
-
-  CollisionGroups groups{std::vector<int>(contacts.size()), {0}};
-  std::iota(groups.order.begin(), groups.order.end(), 0);
-  std::stable_sort(groups.order.begin(), groups.order.end(),
-                   [&](int a, int b) { return roots[a] < roots[b]; });
-  for (std::size_t i = 1; i <= contacts.size(); ++i)
-    if (i == contacts.size() || roots[groups.order[i]] != roots[groups.order[i - 1]])
-      groups.group_begin.push_back(i);
-  return groups;
+Response begin_response(const ContactGeometry& geometry, const std::vector<Contact>& contacts,
+                        const std::vector<Vec3>& start) {
+  Response response{group_contacts(geometry, start, contacts), std::vector<Pull>(contacts.size())};
+  parallel_for_each(contacts.size(), 512, [&](std::size_t i) {
+    response.pulls[i] = make_pull(geometry, contacts[response.groups.order[i]], start);
+  });
+  return response;
 }
 
-void resolve_contacts(const ContactGeometry& geometry, const CollisionGroups& groups,
-                      const std::vector<Vec3>& start, double thickness, std::vector<Contact>& contacts,
-                      std::vector<Vec3>& x) {
+void resolve_contacts(double thickness, Response& response, std::vector<Vec3>& x) {
   constexpr int most_sweeps = 30;
   constexpr double settled = 0.01;
-  std::vector<Pull> pulls = make_pulls(geometry, groups, contacts, &Contact::target, start);
-  sweep_groups(groups, most_sweeps, settled * thickness, [&](std::size_t i) { return solve(pulls[i], x); });
-  for (std::size_t i = 0; i < pulls.size(); ++i) {
-    contacts[groups.order[i]].impulse = pulls[i].impulse;
-    contacts[groups.order[i]].friction_impulse = pulls[i].friction_impulse;
-  }
+  std::vector<Vec4> places = all_padded(x);
+  const auto visit = [&](Pull& pull) { return solve(pull, places); };
+  sweep_groups(Sweeps<decltype(visit)>{most_sweeps, settled * thickness, visit}, response);
+  unpad(places, x);
 }
 
-std::vector<double> push_apart(const ContactGeometry& geometry, const CollisionGroups& groups,
-                               const std::vector<Contact>& contacts, std::vector<Vec3>& x) {
+void push_apart(Response& response, std::vector<Vec3>& x) {
   constexpr int most_sweeps = 2;
-  std::vector<Pull> pulls = make_pulls(geometry, groups, contacts, &Contact::push_target, x);
-  sweep_groups(groups, most_sweeps, 0, [&](std::size_t i) { return push(pulls[i], x); });
-  std::vector<double> impulses(contacts.size());
-  for (std::size_t i = 0; i < pulls.size(); ++i) impulses[groups.order[i]] = pulls[i].impulse;
-  return impulses;
+  std::vector<Vec4> places = all_padded(x);
+  const auto visit = [&](Pull& pull) { return push(pull, places); };
+  sweep_groups(Sweeps<decltype(visit)>{most_sweeps, 0, visit}, response);
+  unpad(places, x);
 }
 
-std::vector<Vec3> pushed_ways(const ContactGeometry& geometry, const std::vector<Contact>& contacts,
-                              const std::vector<double>& push_impulses, const std::vector<Vec3>& start,
-                              const std::vector<Vec3>& end) {
+std::vector<Vec3> pushed_ways(const Response& response, const std::vector<Vec3>& end) {
   std::vector<Vec3> ways(end.size(), Vec3::Zero());
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (push_impulses[i] == 0) continue;
-    const Pull pull = make_pull(geometry, contacts[i], 0, start);
-    const double parted = pull.normal.dot(weighted_sum(pull, end) - pull.origin);
-    const double share = std::clamp(parted / (push_impulses[i] * pull.mobility), 0.0, 1.0);
-    apply_impulse(pull, share * push_impulses[i] * pull.normal, ways);
+  for (const Pull& pull : response.pulls) {
+    if (pull.push_impulse == 0) continue;
+    const Vec3 way = weighted_sum(pull, end) - pull.origin.head<3>(), normal = pull.normal.head<3>();
+    const double share = std::clamp(normal.dot(way) / (pull.push_impulse * pull.mobility), 0.0, 1.0);
+    apply_impulse(pull, Vec3(share * pull.push_impulse * normal), ways);
   }
   return ways;
 }

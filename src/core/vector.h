@@ -14,6 +14,9 @@ using Vec3 = Eigen::Vector3d;
 using Vec4 = Eigen::Vector4d;
 using Mat3 = Eigen::Matrix3d;
 
+// A fourth value, 0, makes up a vector register.
+inline Vec4 padded(const Vec3& x) { return {x.x(), x.y(), x.z(), 0}; }
+
 using Vec2f = Eigen::Vector2f;
 using Vec3f = Eigen::Vector3f;
 using Vec4f = Eigen::Vector4f;

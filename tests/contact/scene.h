@@ -7,6 +7,7 @@
 
 #include "contact/active_contacts.h"
 #include "contact/proximity.h"
+#include "contact/response.h"
 #include "mesh/primitives.h"
 #include "mesh/topology.h"
 
@@ -166,6 +167,16 @@ inline double least_distance(PairKind kind, const FourPoints& start, const FourP
   for (int i = 0; i <= samples; ++i)
     least = std::min(least, closest_points(kind, between(start, end, i / double(samples))).distance);
   return least;
+}
+
+// Resolves the contacts until no visit moves anything by more than a hundredth of `settled`; returns the pull
+// of each.
+inline std::vector<Pull> resolve(Scene& scene, const std::vector<Contact>& contacts, double settled) {
+  Response response = begin_response(scene.geometry, contacts, scene.start);
+  resolve_contacts(settled, response, scene.end);
+  std::vector<Pull> pulls(contacts.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) pulls[response.groups.order[i]] = response.pulls[i];
+  return pulls;
 }
 
 }  // namespace drape::test

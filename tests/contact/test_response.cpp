@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include "contact/response.h"
 #include "core/parallel.h"
 #include "scene.h"
@@ -52,24 +50,27 @@ Vec3 momentum(const Scene& scene, const std::vector<Vec3>& x) {
   return sum;
 }
 
-double gap(const Contact& contact, const std::vector<Vec3>& x) {
+// Of a Contact or its Pull.
+double gap(const auto& contact, const std::vector<Vec3>& x) {
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i < 4; ++i) sum += contact.weights[i] * x[contact.vertices[i]];
-  return contact.normal.dot(sum);
+  return contact.normal.template head<3>().dot(sum);
 }
 
-Vec3 sliding(const Contact& contact, const Scene& scene) {
+Vec3 sliding(const Pull& pull, const Scene& scene) {
   Vec3 way = Vec3::Zero();
   for (int i = 0; i < 4; ++i)
-    way += contact.weights[i] * (scene.end[contact.vertices[i]] - scene.start[contact.vertices[i]]);
-  return way - contact.normal.dot(way) * contact.normal;
+    way += pull.weights[i] * (scene.end[pull.vertices[i]] - scene.start[pull.vertices[i]]);
+  const Vec3 normal = pull.normal.head<3>();
+  return way - normal.dot(way) * normal;
 }
 
-std::vector<Contact> resolve(Scene& scene) {
-  std::vector<Contact> contacts = active(scene);
-  resolve_contacts(scene.geometry, group_contacts(scene.geometry, contacts), scene.start, thickness, contacts,
-                   scene.end);
-  return contacts;
+std::vector<Pull> resolve(Scene& scene) { return test::resolve(scene, active(scene), thickness); }
+
+Response push(Scene& scene, const std::vector<Contact>& contacts) {
+  Response response = begin_response(scene.geometry, contacts, scene.start);
+  push_apart(response, scene.end);
+  return response;
 }
 
 TEST(Response, LinearMomentumIsKept) {
@@ -88,28 +89,27 @@ TEST(Response, LinearMomentumIsKept) {
 TEST(Response, SidesEndAtTheirTarget) {
   for (unsigned seed = 1; seed < 10; ++seed) {
     Scene scene = colliding(seed, 0);
-    const std::vector<Contact> contacts = resolve(scene);
-    ASSERT_FALSE(contacts.empty());
-    for (const Contact& contact : contacts)
-      EXPECT_GE(gap(contact, scene.end), contact.target - 0.01 * thickness);
-    EXPECT_NEAR(gap(contacts[0], scene.end), thickness, 0.02 * thickness);
+    const std::vector<Pull> pulls = resolve(scene);
+    ASSERT_FALSE(pulls.empty());
+    for (const Pull& pull : pulls) EXPECT_GE(gap(pull, scene.end), pull.target - 0.01 * thickness);
+    EXPECT_NEAR(gap(pulls[0], scene.end), thickness, 0.02 * thickness);
   }
 }
 
 TEST(Response, ContactsNeverPullSidesTogether) {
   for (unsigned seed = 1; seed < 10; ++seed) {
     Scene scene = crumpling(seed, 0.3);
-    for (const Contact& contact : resolve(scene)) EXPECT_GE(contact.impulse, 0);
+    for (const Pull& pull : resolve(scene)) EXPECT_GE(pull.impulse, 0);
   }
 }
 
 TEST(Response, SidesThatPartAnywayAreLeftAlone) {
   Scene scene = colliding(1, 0.5);
-  std::vector<Contact> contacts = active(scene);
+  const std::vector<Contact> contacts = active(scene);
+  ASSERT_FALSE(contacts.empty());
   for (int v = 3; v < 6; ++v) scene.end[v] = scene.start[v] + Vec3(0.01, 1, 0);
   const std::vector<Vec3> before = scene.end;
-  resolve_contacts(scene.geometry, group_contacts(scene.geometry, contacts), scene.start, thickness, contacts,
-                   scene.end);
+  test::resolve(scene, contacts, thickness);
   EXPECT_EQ(scene.end, before);
 }
 
@@ -117,12 +117,12 @@ TEST(Response, FrictionStaysInItsConeAndAcrossTheNormal) {
   int slipping = 0;
   for (unsigned seed = 1; seed < 10; ++seed) {
     Scene scene = crumpling(seed, 0.3);
-    for (const Contact& contact : resolve(scene)) {
-      const double length = contact.friction_impulse.norm();
-      EXPECT_NEAR(contact.friction, 0.3, 1e-15);
-      EXPECT_LE(length, 0.3 * contact.impulse + 1e-15);
-      EXPECT_NEAR(contact.friction_impulse.dot(contact.normal), 0, 1e-14);
-      slipping += length > 0.299 * contact.impulse && length > 0;
+    for (const Pull& pull : resolve(scene)) {
+      const double length = pull.friction_impulse.norm();
+      EXPECT_NEAR(pull.friction, 0.3, 1e-15);
+      EXPECT_LE(length, 0.3 * pull.impulse + 1e-15);
+      EXPECT_NEAR(pull.friction_impulse.dot(pull.normal), 0, 1e-14);
+      slipping += length > 0.299 * pull.impulse && length > 0;
     }
   }
   EXPECT_GT(slipping, 10);
@@ -130,10 +130,9 @@ TEST(Response, FrictionStaysInItsConeAndAcrossTheNormal) {
 
 TEST(Response, SlidingStopsWhereFrictionIsLarge) {
   Scene scene = colliding(2, 100, {0.02, 0, 0});
-  const std::vector<Contact> contacts = resolve(scene);
-  for (const Contact& contact : contacts)
-    if (contact.impulse > 0) {
-      EXPECT_LT(sliding(contact, scene).norm(), 0.05 * 0.02);
+  for (const Pull& pull : resolve(scene))
+    if (pull.impulse > 0) {
+      EXPECT_LT(sliding(pull, scene).norm(), 0.05 * 0.02);
     }
 }
 
@@ -143,15 +142,12 @@ TEST(Response, FrictionBrakesAgainstTheSlidingAndNoMore) {
     std::vector<Contact> contacts = active(scene);
     ASSERT_FALSE(contacts.empty());
     contacts.erase(contacts.begin() + 1, contacts.end());
-    resolve_contacts(scene.geometry, group_contacts(scene.geometry, contacts), scene.start, 1e-6, contacts,
-                     scene.end);
-    const Contact& contact = contacts[0];
+    const Pull pull = test::resolve(scene, contacts, 1e-6).at(0);
     double mobility = 0;
     for (int i = 0; i < 4; ++i)
-      mobility +=
-          scene.geometry.inverse_masses[contact.vertices[i]] * contact.weights[i] * contact.weights[i];
-    const double left = 0.05 - friction * contact.impulse * mobility;
-    EXPECT_NEAR(sliding(contact, scene).x(), left, 1e-9);
+      mobility += scene.geometry.inverse_masses[pull.vertices[i]] * pull.weights[i] * pull.weights[i];
+    const double left = 0.05 - friction * pull.impulse * mobility;
+    EXPECT_NEAR(sliding(pull, scene).x(), left, 1e-9);
     EXPECT_GT(left, 0.03);
   }
 }
@@ -159,22 +155,21 @@ TEST(Response, FrictionBrakesAgainstTheSlidingAndNoMore) {
 TEST(Response, PinnedVerticesAndCollidersStayAndTheOthersGiveWay) {
   Scene scene = colliding(4, 0.5, {0.02, 0, 0});
   for (int v = 0; v < 3; ++v) scene.geometry.inverse_masses[v] = 0;
-  const std::vector<Contact> contacts = resolve(scene);
-  ASSERT_FALSE(contacts.empty());
+  const std::vector<Pull> pulls = resolve(scene);
+  ASSERT_FALSE(pulls.empty());
   for (int v = 0; v < 3; ++v) EXPECT_EQ(scene.end[v], scene.start[v]);
-  EXPECT_NEAR(gap(contacts[0], scene.end), thickness, 0.02 * thickness);
+  EXPECT_NEAR(gap(pulls[0], scene.end), thickness, 0.02 * thickness);
 }
 
 TEST(Response, ThePushMovesOverlappingSidesAsFarAsTheirPushTarget) {
   Scene scene = colliding(5, 0);
   for (int v = 3; v < 6; ++v) scene.end[v] = scene.start[v] -= Vec3(0, 0.096, 0);  // 4 mm apart
-  std::vector<Contact> contacts = active(scene);
+  const std::vector<Contact> contacts = active(scene);
   ASSERT_FALSE(contacts.empty());
   const Vec3 before = momentum(scene, scene.end);
-  resolve_contacts(scene.geometry, group_contacts(scene.geometry, contacts), scene.start, thickness, contacts,
-                   scene.end);
+  test::resolve(scene, contacts, thickness);
   EXPECT_EQ(scene.end, scene.start);
-  push_apart(scene.geometry, group_contacts(scene.geometry, contacts), contacts, scene.end);
+  push(scene, contacts);
   EXPECT_NEAR(gap(contacts[0], scene.end), contacts[0].push_target, 1e-9);
   EXPECT_GT(contacts[0].push_target, 0.004);
   EXPECT_LT((momentum(scene, scene.end) - before).norm(), 1e-13);
@@ -192,13 +187,12 @@ TEST(Response, OfThePushThatMuchIsNoVelocityAsTheSidesHaveParted) {
   Scene scene = colliding(5, 0);
   for (int v = 3; v < 6; ++v) scene.end[v] = scene.start[v] -= Vec3(0, 0.096, 0);  // 4 mm apart
   const std::vector<Contact> contacts = {active(scene).at(0)};
-  const std::vector<double> impulses =
-      push_apart(scene.geometry, group_contacts(scene.geometry, contacts), contacts, scene.end);
-  ASSERT_GT(impulses.at(0), 0);
+  const Response response = push(scene, contacts);
+  ASSERT_GT(response.pulls.at(0).push_impulse, 0);
   const auto ways = [&](double share) {
     std::vector<Vec3> reached = scene.start;
     for (std::size_t v = 0; v < reached.size(); ++v) reached[v] += share * (scene.end[v] - scene.start[v]);
-    return pushed_ways(scene.geometry, contacts, impulses, scene.start, reached);
+    return pushed_ways(response, reached);
   };
   const std::vector<Vec3> all = ways(1), more = ways(2), half = ways(0.5), none = ways(0), back = ways(-1);
   for (std::size_t v = 0; v < all.size(); ++v) {
@@ -221,53 +215,6 @@ TEST(Response, TheSameBitsWithAnyNumberOfThreads) {
   }
   EXPECT_EQ(results[0], results[1]);
   EXPECT_EQ(results[0], results[2]);
-}
-
-Contact contact_of(const std::array<int, 4>& vertices,
-                   const std::array<double, 4>& weights = {1, -0.3, -0.3, -0.4}) {
-  Contact contact{};
-  contact.vertices = vertices;
-  contact.weights = weights;
-  return contact;
-}
-
-// 40 free vertices.
-ContactGeometry free_vertices() {
-  Scene scene;
-  scene.add_cloth(make_grid({1, 1}, {8, 5}), thickness);
-  return scene.geometry;
-}
-
-TEST(CollisionGroups, DisjointContactsAreGroupsOfTheirOwn) {
-  const CollisionGroups groups = group_contacts(
-      free_vertices(), {contact_of({8, 9, 10, 11}), contact_of({0, 1, 2, 3}), contact_of({4, 5, 6, 7})});
-  EXPECT_EQ(groups.group_begin, (std::vector<std::size_t>{0, 1, 2, 3}));
-  EXPECT_EQ(groups.order, (std::vector{1, 2, 0}));
-}
-
-TEST(CollisionGroups, ContactsThatShareVerticesThroughOthersAreOneGroupInTheirOrder) {
-  const CollisionGroups groups =
-      group_contacts(free_vertices(), {contact_of({9, 10, 11, 12}), contact_of({20, 21, 22, 23}),
-                                       contact_of({0, 1, 2, 3}), contact_of({3, 4, 5, 9})});
-  EXPECT_EQ(groups.group_begin, (std::vector<std::size_t>{0, 3, 4}));
-  EXPECT_EQ(groups.order, (std::vector{0, 2, 3, 1}));
-}
-
-TEST(CollisionGroups, VerticesThatDoNotMoveOrPlayNoPartJoinNothing) {
-  ContactGeometry geometry = free_vertices();
-  geometry.inverse_masses[3] = 0;
-  const CollisionGroups pinned =
-      group_contacts(geometry, {contact_of({0, 1, 2, 3}), contact_of({3, 4, 5, 6})});
-  EXPECT_EQ(pinned.group_begin.size(), 3u);
-  const CollisionGroups weightless = group_contacts(
-      free_vertices(), {contact_of({0, 1, 2, 3}, {1, -0.5, -0.5, 0}), contact_of({3, 4, 5, 6})});
-  EXPECT_EQ(weightless.group_begin.size(), 3u);
-}
-
-TEST(CollisionGroups, NoContactsMakeNoGroup) {
-  const CollisionGroups groups = group_contacts(free_vertices(), {});
-  EXPECT_TRUE(groups.order.empty());
-  EXPECT_EQ(groups.group_begin.size(), 1u);
 }
 
 }  // namespace

@@ -30,7 +30,9 @@ class Scene : public testing::TestWithParam<std::string> {};
 
 TEST_P(Scene, Loads) {
   const auto scene = load_scene(scenes_folder() / (GetParam() + ".yaml"));
-  if (GetParam().starts_with("contact/")) EXPECT_FALSE(scene.facts.empty());
+  if (GetParam().starts_with("contact/")) {
+    EXPECT_FALSE(scene.facts.empty());
+  }
   for (const ClothDescription& cloth : scene.cloths)
     EXPECT_TRUE(check_manifold(cloth.input.mesh).empty()) << cloth.input.name;
 }

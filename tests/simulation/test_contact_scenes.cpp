@@ -63,9 +63,9 @@ TEST(ContactScenes, TwoLayersLieOnEachOther) {
   input.colliders.push_back(ground());
   Simulation simulation(input);
   advance(simulation, 30);
-  for (std::size_t v = 0; v < 256; ++v) {
-    EXPECT_NEAR(simulation.state().positions[v].y(), 0.005, 5e-4);
-    EXPECT_NEAR(simulation.state().positions[v + 256].y(), 0.010, 1e-3);
+  for (std::size_t v = 0; v < 256; ++v) {  // overlap heals up to nine tenths of the thickness
+    EXPECT_NEAR(simulation.state().positions[v].y(), 0.005, 5.5e-4);
+    EXPECT_NEAR(simulation.state().positions[v + 256].y(), 0.010, 1.1e-3);
   }
   EXPECT_EQ(intersecting_pairs(simulation), 0);
 }
