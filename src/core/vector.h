@@ -13,6 +13,8 @@ using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Vec4 = Eigen::Vector4d;
 using Mat3 = Eigen::Matrix3d;
+using Mat4 = Eigen::Matrix4d;
+using Quaternion = Eigen::Quaterniond;
 
 // A fourth value, 0, makes up a vector register.
 inline Vec4 padded(const Vec3& x) { return {x.x(), x.y(), x.z(), 0}; }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
+#include <cmath>
+#include <map>
 #include <memory>
 #include <stdexcept>
 
@@ -104,9 +106,8 @@ void append_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& pa
 
 }  // namespace
 
-PolygonSoup import_with_assimp(const fs::path& path) {
+static const aiScene& read_scene(Assimp::Importer& importer, const fs::path& path) {
   auto* const folder = new OneFolder(path);
-  Assimp::Importer importer;
   importer.SetIOHandler(folder);  // which owns it from here on
   if (!importer.IsExtensionSupported(path.extension().string()))
     throw std::runtime_error(
@@ -114,12 +115,165 @@ PolygonSoup import_with_assimp(const fs::path& path) {
         " is the ending of no format of meshes that can be read; use .obj, .ply, .stl or .glb");
   const aiScene* const scene = importer.ReadFile(path.string(), 0);
   if (!scene || !scene->mRootNode) fail(importer, *folder);
+  return *scene;
+}
 
+static PolygonSoup soup_of(const aiScene& scene) {
   PolygonSoup soup;
-  append_node(*scene, *scene->mRootNode, aiMatrix4x4(), soup);
+  append_node(scene, *scene.mRootNode, aiMatrix4x4(), soup);
   if (soup.polygon_ends.empty()) throw std::runtime_error("it holds no faces");
   if (soup.uvs.size() == soup.points.size()) soup.corner_uvs = soup.corner_points;
   return soup;
+}
+
+PolygonSoup import_with_assimp(const fs::path& path) {
+  Assimp::Importer importer;
+  return soup_of(read_scene(importer, path));
+}
+
+namespace {
+
+Mat4 to_matrix(const aiMatrix4x4& m) {
+  Mat4 matrix;
+  for (unsigned row = 0; row < 4; ++row)
+    for (unsigned column = 0; column < 4; ++column) matrix(row, column) = m[row][column];
+  return matrix;
+}
+
+Vec3 to_value(const aiVector3D& v) { return {v.x, v.y, v.z}; }
+Quaternion to_value(const aiQuaternion& q) { return {q.w, q.x, q.y, q.z}; }
+
+template <typename Value, typename Key, typename Rest>
+TimedValues<Value> to_timed(const Key* keys, unsigned count, double ticks_per_second, const Rest& rest) {
+  TimedValues<Value> timed;
+  for (unsigned i = 0; i < count; ++i) {
+    const double time = keys[i].mTime / ticks_per_second;
+    if (!timed.times.empty() && !(time >= timed.times.back()))
+      throw std::runtime_error("the times of its animation do not rise");
+    timed.times.push_back(time);
+    timed.values.push_back(to_value(keys[i].mValue));
+  }
+  if (count == 0) timed = {{0}, {to_value(rest)}};
+  return timed;
+}
+
+NodeMotion to_motion(const aiNodeAnim& channel, const aiNode& node, double ticks_per_second) {
+  aiVector3D scale, place;
+  aiQuaternion turn;
+  node.mTransformation.Decompose(scale, turn, place);
+  return {to_timed<Vec3>(channel.mPositionKeys, channel.mNumPositionKeys, ticks_per_second, place),
+          to_timed<Quaternion>(channel.mRotationKeys, channel.mNumRotationKeys, ticks_per_second, turn),
+          to_timed<Vec3>(channel.mScalingKeys, channel.mNumScalingKeys, ticks_per_second, scale)};
+}
+
+// A figure while its parts are gathered from assimp's. Nodes and surfaces come in the order of append_node.
+struct Gathering {
+  const aiScene& scene;
+  const aiAnimation& animation;
+  double ticks_per_second;
+  Figure figure;
+  std::map<std::string, int> node_numbers;  // of the first of each name
+};
+
+int find_motion(Gathering& gathering, const aiNode& node) {
+  for (unsigned c = 0; c < gathering.animation.mNumChannels; ++c) {
+    const aiNodeAnim& channel = *gathering.animation.mChannels[c];
+    if (channel.mNodeName != node.mName) continue;
+    gathering.figure.motions.push_back(to_motion(channel, node, gathering.ticks_per_second));
+    return static_cast<int>(gathering.figure.motions.size()) - 1;
+  }
+  return -1;
+}
+
+void gather_nodes(const aiNode& node, int parent, Gathering& gathering) {
+  Figure& figure = gathering.figure;
+  const int number = static_cast<int>(figure.nodes.size());
+  figure.nodes.push_back({parent, to_matrix(node.mTransformation), find_motion(gathering, node)});
+  gathering.node_numbers.try_emplace(node.mName.C_Str(), number);
+  for (unsigned i = 0; i < node.mNumMeshes; ++i) figure.surfaces.push_back({number, {}, {}});
+  for (unsigned i = 0; i < node.mNumChildren; ++i) gather_nodes(*node.mChildren[i], number, gathering);
+}
+
+Bone to_bone(const aiBone& bone, std::size_t points, const Gathering& gathering) {
+  const auto node = gathering.node_numbers.find(bone.mName.C_Str());
+  if (node == gathering.node_numbers.end())
+    throw std::runtime_error("it has no node for its bone " + in_quotes(bone.mName.C_Str()));
+  Bone result{node->second, to_matrix(bone.mOffsetMatrix), {}};
+  for (unsigned i = 0; i < bone.mNumWeights; ++i) {
+    const aiVertexWeight& weight = bone.mWeights[i];
+    if (weight.mVertexId >= points)
+      throw std::runtime_error("a bone names a point that the file does not have");
+    if (weight.mWeight > 0) result.shares.emplace_back(static_cast<int>(weight.mVertexId), weight.mWeight);
+  }
+  return result;
+}
+
+void gather_surfaces(const aiNode& node, std::size_t& next, Gathering& gathering) {
+  for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+    const aiMesh& mesh = *gathering.scene.mMeshes[node.mMeshes[i]];
+    FigureSurface& surface = gathering.figure.surfaces[next++];
+    for (unsigned v = 0; v < mesh.mNumVertices; ++v) surface.points.push_back(to_point(mesh.mVertices[v]));
+    for (unsigned b = 0; b < mesh.mNumBones; ++b)
+      surface.bones.push_back(to_bone(*mesh.mBones[b], surface.points.size(), gathering));
+  }
+  for (unsigned i = 0; i < node.mNumChildren; ++i) gather_surfaces(*node.mChildren[i], next, gathering);
+}
+
+const aiAnimation& find_animation(const aiScene& scene, const std::string& name) {
+  std::string names;
+  for (unsigned a = 0; a < scene.mNumAnimations; ++a) {
+    const std::string own = scene.mAnimations[a]->mName.C_Str();
+    if (own == name) return *scene.mAnimations[a];
+    names += (a == 0 ? "" : ", ") + (own.empty() ? std::to_string(a) : in_quotes(own));
+  }
+  for (unsigned a = 0; a < scene.mNumAnimations; ++a)
+    if (std::to_string(a) == name) return *scene.mAnimations[a];
+  throw std::runtime_error(names.empty() ? "it holds no animation"
+                                         : "it has no animation " + in_quotes(name) + "; it has " + names);
+}
+
+// At one shape each interval, from 0 to the end of the last one.
+std::size_t count_shapes(double duration, double interval, std::size_t points) {
+  constexpr double most_shape_points = 40e6;  // what the memory of this process holds
+  const double count = std::ceil(duration / interval - 1e-6) + 1;
+  if (!(count >= 1 && count * static_cast<double>(points) <= most_shape_points))
+    throw std::runtime_error("its animation has too many frames for its points");
+  return static_cast<std::size_t>(count);
+}
+
+std::vector<Vec3> check_usable(std::vector<Vec3> points) {
+  for (const Vec3& point : points)
+    for (const double x : point)
+      if (!is_usable_coordinate(x))
+        throw std::runtime_error("its animation leads to points that are not usable");
+  return points;
+}
+
+}  // namespace
+
+SoupInShapes import_clip_with_assimp(const fs::path& path, const ClipRequest& clip) {
+  constexpr double usual_ticks_per_second = 25;  // assimp's, where a file does not say
+  Assimp::Importer importer;
+  const aiScene& scene = read_scene(importer, path);
+  const aiAnimation& animation = find_animation(scene, clip.name);
+  if (animation.mNumMorphMeshChannels > 0)
+    throw std::runtime_error(
+        "its animation moves morph targets, which cannot be read; bake it into a sequence of .obj");
+  const double ticks = animation.mTicksPerSecond > 0 ? animation.mTicksPerSecond : usual_ticks_per_second;
+
+  Gathering gathering{scene, animation, ticks, {}, {}};
+  gather_nodes(*scene.mRootNode, -1, gathering);
+  std::size_t next = 0;
+  gather_surfaces(*scene.mRootNode, next, gathering);
+
+  SoupInShapes result{soup_of(scene), {}};
+  const std::size_t count =
+      count_shapes(animation.mDuration / ticks, clip.interval, result.soup.points.size());
+  for (std::size_t i = 0; i < count; ++i)
+    result.shapes.push_back(
+        check_usable(pose_figure(gathering.figure, static_cast<double>(i) * clip.interval)));
+  result.soup.points = result.shapes.front();
+  return result;
 }
 
 }  // namespace drape

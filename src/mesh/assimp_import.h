@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "mesh/figure.h"
 #include "mesh/polygon_soup.h"
 
 namespace drape {
@@ -13,5 +14,10 @@ namespace drape {
 // regular files in its own folder or below, and to no others. Throws std::runtime_error in words for the
 // user.
 PolygonSoup import_with_assimp(const std::filesystem::path& path);
+
+// The same in the shapes that one of the file's animations gives them: nodes that move, and surfaces that
+// these draw along (skinned). One shape each interval from the animation's time 0 on, until it is over. Morph
+// targets are refused.
+SoupInShapes import_clip_with_assimp(const std::filesystem::path& path, const ClipRequest& clip);
 
 }  // namespace drape

@@ -58,10 +58,21 @@ bool limit_child() {
          ::prctl(PR_SET_PDEATHSIG, SIGKILL) == 0;
 }
 
-std::string answer(const char* path) {
+// The child's arguments after its subcommand: the file, and a clip's name and interval where one is wanted.
+std::vector<std::string> to_arguments(const fs::path& path, const std::optional<ClipRequest>& clip) {
+  if (!clip) return {path.string()};
+  return {path.string(), clip->name, fmt::format("{}", clip->interval)};
+}
+
+SoupInShapes import_as_asked(const std::vector<std::string>& arguments) {
+  if (arguments.size() == 1) return {import_with_assimp(arguments[0]), {}};
+  return import_clip_with_assimp(arguments[0], {arguments[1], to_number(arguments[2]).value()});
+}
+
+std::string answer(const std::vector<std::string>& arguments) {
   try {
     if (!limit_child()) throw std::runtime_error("the importer's limits cannot be set");
-    return answer_soup + to_bytes(import_with_assimp(path));
+    return answer_soup + to_bytes(import_as_asked(arguments));
   } catch (const std::bad_alloc&) {
     return answer_error + fmt::format("it takes more than {} MiB of memory to import", child_memory >> 20);
   } catch (const std::exception& error) {
@@ -85,7 +96,7 @@ struct Child {
 };
 
 // Standard output is the pipe, standard error nowhere (libraries chat), and no other file stays open.
-int spawn(const fs::path& path, int pipe_end, pid_t& process) {
+int spawn(const std::vector<std::string>& own_arguments, int pipe_end, pid_t& process) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, pipe_end, STDOUT_FILENO);
@@ -93,8 +104,11 @@ int spawn(const fs::path& path, int pipe_end, pid_t& process) {
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
 
-  std::string program = "drape", command(subcommand), file = path.string();
-  std::array<char*, 4> arguments = {program.data(), command.data(), file.data(), nullptr};
+  std::vector<std::string> words = {"drape", std::string(subcommand)};
+  words.insert(words.end(), own_arguments.begin(), own_arguments.end());
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
   std::string mark = fmt::format("{}=1", child_mark);
   std::vector<char*> environment = {mark.data()};
   for (char** variable = environ; *variable; ++variable) environment.push_back(*variable);
@@ -106,12 +120,12 @@ int spawn(const fs::path& path, int pipe_end, pid_t& process) {
   return error;
 }
 
-Child start_child(const fs::path& path) {
+Child start_child(const fs::path& path, const std::vector<std::string>& arguments) {
   std::array<int, 2> ends;
   if (::pipe2(ends.data(), O_CLOEXEC) != 0)
     throw FileError(path.string(), std::string("no pipe to the importer: ") + std::strerror(errno));
   Child child{-1, ends[0]};
-  const int error = spawn(path, ends[1], child.process);
+  const int error = spawn(arguments, ends[1], child.process);
   ::close(ends[1]);
   if (error == 0) return child;
   ::close(ends[0]);
@@ -174,15 +188,16 @@ std::string printable(std::string text) {
 }  // namespace
 
 std::optional<int> run_import_child(int argc, const char* const* argv) {
-  if (argc != 3 || argv[1] != subcommand || !std::getenv(child_mark)) return std::nullopt;
-  return write_all(STDOUT_FILENO, answer(argv[2])) ? EXIT_SUCCESS : EXIT_FAILURE;
+  const bool is_child = (argc == 3 || argc == 5) && argv[1] == subcommand && std::getenv(child_mark);
+  if (!is_child) return std::nullopt;
+  return write_all(STDOUT_FILENO, answer({argv + 2, argv + argc})) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
-PolygonSoup import_in_child(const fs::path& path) {
+SoupInShapes import_in_child(const fs::path& path, const std::optional<ClipRequest>& clip) {
   // A program whose main does not call run_import_child would start itself without end.
   if (std::getenv(child_mark))
     throw FileError(path.string(), "this program cannot import meshes of its format");
-  const Child child = start_child(path);
+  const Child child = start_child(path, to_arguments(path, clip));
   std::string bytes;
   const End end = read_output(child.output, bytes);
   ::close(child.output);

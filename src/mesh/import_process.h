@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "mesh/figure.h"
 #include "mesh/polygon_soup.h"
 
 namespace drape {
@@ -16,8 +17,8 @@ namespace drape {
 // returns its exit status where this process is such a child; nothing in all other processes.
 std::optional<int> run_import_child(int argc, const char* const* argv);
 
-// The parent's side. Throws InputError (exit status 3) with the file's name where the file is at fault or the
-// child died.
-PolygonSoup import_in_child(const std::filesystem::path& path);
+// The parent's side: the file's surface, and its shapes in the clip that is asked for. Throws InputError
+// (exit status 3) with the file's name where the file is at fault or the child died.
+SoupInShapes import_in_child(const std::filesystem::path& path, const std::optional<ClipRequest>& clip);
 
 }  // namespace drape

@@ -39,7 +39,14 @@ PolygonSoup read_polygons(const fs::path& path) {
   const std::string ending = lower_case_ending(path);
   if (ending == ".obj") return read_obj(read_file(path), path);
   if (ending == ".ply") return read_ply(read_file(path), path);
-  return import_in_child(path);
+  return import_in_child(path, std::nullopt).soup;
+}
+
+SoupInShapes read_clip(const fs::path& path, const ClipRequest& clip) {
+  check_file(path);
+  const std::string ending = lower_case_ending(path);
+  if (ending == ".obj" || ending == ".ply") refuse(path, "files of this format hold no animation");
+  return import_in_child(path, clip);
 }
 
 TriangleMesh read_mesh(const fs::path& path) { return weld(read_polygons(path)); }

@@ -100,11 +100,11 @@ ShapedMesh weld(const PolygonSoup& rest, const PolygonSoup& start) {
   return shaped;
 }
 
-MeshInShapes weld(const std::vector<PolygonSoup>& soups) {
-  std::vector<int> first = first_equal_points(soups.front().points);
-  for (std::size_t i = 1; i < soups.size(); ++i) first = first_equal_points(first, soups[i].points);
-  MeshInShapes result{weld(soups.front(), first), {}};
-  for (const PolygonSoup& soup : soups) result.shapes.push_back(keep_first(soup.points, first));
+MeshInShapes weld(const SoupInShapes& in_shapes) {
+  std::vector<int> first = first_equal_points(in_shapes.soup.points);
+  for (const std::vector<Vec3>& shape : in_shapes.shapes) first = first_equal_points(first, shape);
+  MeshInShapes result{weld(in_shapes.soup, first), {}};
+  for (const std::vector<Vec3>& shape : in_shapes.shapes) result.shapes.push_back(keep_first(shape, first));
   return result;
 }
 

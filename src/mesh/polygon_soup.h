@@ -48,11 +48,17 @@ struct ShapedMesh {
 };
 ShapedMesh weld(const PolygonSoup& rest, const PolygonSoup& start);
 
-// One mesh in many shapes, the first of them its own. Needs one at least, all with the same faces.
+// One surface in many shapes: where its points are in each. There is one at least, the soup's own.
+struct SoupInShapes {
+  PolygonSoup soup;
+  std::vector<std::vector<Vec3>> shapes;
+};
+
+// One mesh in many shapes, the first of them its own: points are made one where they are equal in all.
 struct MeshInShapes {
   TriangleMesh mesh;
   std::vector<std::vector<Vec3>> shapes;
 };
-MeshInShapes weld(const std::vector<PolygonSoup>& soups);
+MeshInShapes weld(const SoupInShapes& soup);
 
 }  // namespace drape

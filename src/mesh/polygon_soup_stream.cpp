@@ -15,13 +15,16 @@ static void append(const std::vector<Item>& items, std::string& bytes) {
   bytes.append(reinterpret_cast<const char*>(items.data()), items.size() * sizeof(Item));
 }
 
-std::string to_bytes(const PolygonSoup& soup) {
+std::string to_bytes(const SoupInShapes& in_shapes) {
+  const PolygonSoup& soup = in_shapes.soup;
   std::string bytes;
   append(soup.points, bytes);
   append(soup.uvs, bytes);
   append(soup.corner_points, bytes);
   append(soup.corner_uvs, bytes);
   append(soup.polygon_ends, bytes);
+  append(std::vector<std::uint64_t>{in_shapes.shapes.size()}, bytes);
+  for (const std::vector<Vec3>& shape : in_shapes.shapes) append(shape, bytes);
   return bytes;
 }
 
@@ -59,17 +62,28 @@ static bool has_whole_polygons(const PolygonSoup& soup) {
   return static_cast<std::size_t>(begin) == soup.corner_points.size();
 }
 
-std::optional<PolygonSoup> soup_from_bytes(std::string_view bytes) {
-  PolygonSoup soup;
+static bool take_soup(std::string_view& bytes, PolygonSoup& soup) {
   const bool complete = take(bytes, most_points, soup.points) && take(bytes, most_corners, soup.uvs) &&
                         take(bytes, most_corners, soup.corner_points) &&
                         take(bytes, most_corners, soup.corner_uvs) &&
-                        take(bytes, most_corners, soup.polygon_ends) && bytes.empty();
-  if (!complete || !all_usable(soup.points) || !all_usable(soup.uvs)) return std::nullopt;
-  if (!soup.corner_uvs.empty() && soup.corner_uvs.size() != soup.corner_points.size()) return std::nullopt;
-  if (!all_under(soup.corner_points, soup.points.size())) return std::nullopt;
-  if (!all_under(soup.corner_uvs, soup.uvs.size()) || !has_whole_polygons(soup)) return std::nullopt;
-  return soup;
+                        take(bytes, most_corners, soup.polygon_ends);
+  if (!complete || !all_usable(soup.points) || !all_usable(soup.uvs)) return false;
+  if (!soup.corner_uvs.empty() && soup.corner_uvs.size() != soup.corner_points.size()) return false;
+  if (!all_under(soup.corner_points, soup.points.size())) return false;
+  return all_under(soup.corner_uvs, soup.uvs.size()) && has_whole_polygons(soup);
+}
+
+std::optional<SoupInShapes> soup_from_bytes(std::string_view bytes) {
+  SoupInShapes result;
+  std::vector<std::uint64_t> count;
+  if (!take_soup(bytes, result.soup) || !take(bytes, 1, count) || count.size() != 1) return std::nullopt;
+  for (std::uint64_t i = 0; i < count[0]; ++i) {
+    std::vector<Vec3> shape;
+    if (!take(bytes, most_points, shape) || shape.size() != result.soup.points.size()) return std::nullopt;
+    if (!all_usable(shape)) return std::nullopt;
+    result.shapes.push_back(std::move(shape));
+  }
+  return bytes.empty() ? std::optional(std::move(result)) : std::nullopt;
 }
 
 }  // namespace drape

@@ -8,11 +8,11 @@
 
 namespace drape {
 
-// A soup as bytes, to pass from one process of this machine to another.
-std::string to_bytes(const PolygonSoup& soup);
+// A soup and its shapes as bytes, to pass from one process of this machine to another.
+std::string to_bytes(const SoupInShapes& soup);
 
 // Trusts nothing: nothing where sizes disagree, limits are exceeded, an index is out of range, a coordinate
 // is not usable, or a polygon has fewer than three corners.
-std::optional<PolygonSoup> soup_from_bytes(std::string_view bytes);
+std::optional<SoupInShapes> soup_from_bytes(std::string_view bytes);
 
 }  // namespace drape

@@ -63,7 +63,7 @@ void check_followers(const SceneDescription& scene, ProblemList& problems) {
       const ColliderInput& collider = scene.colliders[*pin.collider].input;
       if (deforms(collider))
         problems.add(cloth.place,
-                     fmt::format("cloths.{}: a pin can't follow {}, which is a sequence of meshes: give "
+                     fmt::format("cloths.{}: a pin can't follow {}, which changes its shape: give "
                                  "the pin an animation of its own",
                                  cloth.input.name, collider.name));
     }

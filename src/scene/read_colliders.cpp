@@ -51,6 +51,28 @@ ColliderShape read_capsule(const Section& collider) {
   return capsule;
 }
 
+std::optional<MeshShape> read_mesh_shape(const Section& collider, const std::filesystem::path& scene_folder,
+                                         double fps) {
+  const bool is_sequence = names_sequence(text_of(collider, "mesh"));
+  if (is_sequence && has(collider, "clip"))
+    collider.problems->add(
+        find_entry(*collider.node, "clip")->place,
+        fmt::format("{} is for one file that holds an animation, not for a sequence of files",
+                    path_of(collider, "clip")));
+  if (is_sequence) return read_sequence(collider, scene_folder, fps);
+  if (has(collider, "clip")) return read_clip_key(collider, scene_folder, fps);
+  auto mesh = read_mesh_key(collider, scene_folder);
+  return mesh ? std::optional(MeshShape{std::move(*mesh)}) : std::nullopt;
+}
+
+void scale_shape(const Section& collider, MeshShape& shape) {
+  double scale = 1;
+  read_number(collider, "scale", scale);
+  for (Vec3& point : shape.mesh.positions) point *= scale;
+  for (std::vector<Vec3>& points : shape.shapes)
+    for (Vec3& point : points) point *= scale;
+}
+
 std::optional<ColliderShape> read_shape(const Section& collider, const std::filesystem::path& scene_folder,
                                         double fps, RigidMotion& motion) {
   const std::string_view shape =
@@ -61,10 +83,17 @@ std::optional<ColliderShape> read_shape(const Section& collider, const std::file
   if (shape == "cylinder") return read_cylinder(collider);
   if (shape == "capsule") return read_capsule(collider);
   if (shape != "mesh") return std::nullopt;
-  if (names_sequence(text_of(collider, "mesh"))) return read_sequence(collider, scene_folder, fps);
-  auto mesh = read_mesh_key(collider, scene_folder);
-  if (!mesh) return std::nullopt;
-  return MeshShape{std::move(*mesh)};
+  auto mesh = read_mesh_shape(collider, scene_folder, fps);
+  if (mesh) scale_shape(collider, *mesh);
+  return mesh;
+}
+
+// Keys that say something of a mesh alone.
+void check_mesh_keys(const Section& collider) {
+  if (has(collider, "mesh")) return;
+  for (const char* key : {"clip", "scale"})
+    if (const MapEntry* entry = find_entry(*collider.node, key))
+      collider.problems->add(entry->place, fmt::format("{} is for a mesh", path_of(collider, key)));
 }
 
 }  // namespace
@@ -80,6 +109,7 @@ std::vector<ColliderDescription> read_colliders(const Section& scene,
     read_number(section, "friction", collider.input.friction);
     read_boolean(section, "visible", collider.visible);
     read_look(section, collider.look);
+    check_mesh_keys(section);
     auto shape = read_shape(section, scene_folder, fps, collider.input.motion);
     if (!shape) continue;
     collider.input.shape = std::move(*shape);

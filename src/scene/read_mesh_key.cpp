@@ -11,11 +11,21 @@
 namespace drape {
 namespace fs = std::filesystem;
 
-static std::optional<PolygonSoup> read_or_report(const fs::path& path, const Section& section,
-                                                 std::string_view key) {
+std::string text_of(const Section& section, std::string_view key) {
+  std::string text;
+  read_text(section, key, text);
+  return text;
+}
+
+bool read_file_of(const Section& section, std::string_view key, const std::string& name,
+                  const fs::path& scene_folder, const std::function<void(const fs::path&)>& read) {
   const Place place = find_value(section, key)->place;
+  const auto path =
+      find_scene_file(name, path_of(section, key), scene_folder, scene_folder, place, *section.problems);
+  if (!path) return false;
   try {
-    return read_polygons(path);
+    read(*path);
+    return true;
   } catch (const FileError& error) {
     section.problems->add_file_fault(place, fmt::format("{}: {}", path_of(section, key), error.what()));
   } catch (const InputError& error) {
@@ -23,20 +33,14 @@ static std::optional<PolygonSoup> read_or_report(const fs::path& path, const Sec
       section.problems->add_file_fault(
           {std::make_shared<const std::string>(problem.file), problem.line, problem.column}, problem.message);
   }
-  return std::nullopt;
-}
-
-std::string text_of(const Section& section, std::string_view key) {
-  std::string text;
-  read_text(section, key, text);
-  return text;
+  return false;
 }
 
 std::optional<PolygonSoup> read_polygons_of(const Section& section, std::string_view key,
                                             const std::string& name, const fs::path& scene_folder) {
-  const auto path = find_scene_file(name, path_of(section, key), scene_folder, scene_folder,
-                                    find_value(section, key)->place, *section.problems);
-  return path ? read_or_report(*path, section, key) : std::nullopt;
+  std::optional<PolygonSoup> soup;
+  read_file_of(section, key, name, scene_folder, [&](const fs::path& path) { soup = read_polygons(path); });
+  return soup;
 }
 
 static std::optional<PolygonSoup> read_polygons_key(const Section& section, std::string_view key,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 #include "mesh/polygon_soup.h"
@@ -10,6 +11,12 @@ namespace drape {
 
 // A key's text; empty, and a problem, where it is none.
 std::string text_of(const Section& section, std::string_view key);
+
+// Calls read(path) with the file of that name under the scene's folder. False, and a problem at the key,
+// where there is none or `read` throws FileError or InputError.
+bool read_file_of(const Section& section, std::string_view key, const std::string& name,
+                  const std::filesystem::path& scene_folder,
+                  const std::function<void(const std::filesystem::path&)>& read);
 
 // The polygons of a file that a key names, under the scene's folder. Nothing, and a problem at the key, where
 // they cannot be had.

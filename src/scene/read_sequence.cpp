@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "mesh/polygon_soup.h"
+#include "mesh/mesh_file.h"
 #include "scene/read_mesh_key.h"
 #include "scene/section_values.h"
 
@@ -69,39 +69,55 @@ static bool check_numbers(const Section& section, const std::string& name,
   return true;
 }
 
-// All of them, or nothing and a problem.
-static std::vector<PolygonSoup> read_all(const Section& section, const fs::path& scene_folder,
-                                         const std::map<int, std::string>& files) {
-  std::vector<PolygonSoup> soups;
+// All of them in the shapes' order, or nothing and a problem.
+static std::optional<SoupInShapes> read_all(const Section& section, const fs::path& scene_folder,
+                                            const std::map<int, std::string>& files) {
+  std::optional<SoupInShapes> result;
   for (const auto& [number, file] : files) {
     auto soup = read_polygons_of(section, "mesh", file, scene_folder);
-    if (!soup) return {};
+    if (!soup) return std::nullopt;
     const auto complain = [&](const std::string& what) {
       section.problems->add_file_fault(find_value(section, "mesh")->place,
                                        fmt::format("{}: {}", path_of(section, "mesh"), what));
-      return std::vector<PolygonSoup>();
+      return std::nullopt;
     };
-    if (!soups.empty() && !have_same_faces(soups.front(), *soup))
+    if (result && !have_same_faces(result->soup, *soup))
       return complain(
           fmt::format("{} has {}, and {} has {}: all shapes need the same faces in the same order", file,
-                      size_text(*soup), files.begin()->second, size_text(soups.front())));
+                      size_text(*soup), files.begin()->second, size_text(result->soup)));
     if (files.size() * soup->points.size() > most_points)
       return complain(fmt::format("{} files of {} points are more than {} points", files.size(),
                                   soup->points.size(), most_points));
-    soups.push_back(std::move(*soup));
+    if (!result) result = SoupInShapes{*soup, {}};
+    result->shapes.push_back(std::move(soup->points));
   }
-  return soups;
+  return result;
+}
+
+// The surface in its shapes, or nothing and a problem.
+static std::optional<MeshShape> make_shape(const Section& section, const SoupInShapes& soup,
+                                           double first_time, double interval) {
+  MeshInShapes welded = weld(soup);
+  if (!is_fit(section, "mesh", welded.mesh)) return std::nullopt;
+  return MeshShape{std::move(welded.mesh), std::move(welded.shapes), first_time, interval};
 }
 
 std::optional<MeshShape> read_sequence(const Section& section, const fs::path& scene_folder, double fps) {
   const std::string name = text_of(section, "mesh");
   const std::map<int, std::string> files = files_of(name, scene_folder);
   if (!check_numbers(section, name, files)) return std::nullopt;
-  const std::vector<PolygonSoup> soups = read_all(section, scene_folder, files);
-  if (soups.empty()) return std::nullopt;
-  MeshInShapes welded = weld(soups);
-  if (!is_fit(section, "mesh", welded.mesh)) return std::nullopt;
-  return MeshShape{std::move(welded.mesh), std::move(welded.shapes), files.begin()->first / fps, 1 / fps};
+  const auto soup = read_all(section, scene_folder, files);
+  if (!soup) return std::nullopt;
+  return make_shape(section, *soup, files.begin()->first / fps, 1 / fps);
+}
+
+std::optional<MeshShape> read_clip_key(const Section& section, const fs::path& scene_folder, double fps) {
+  const ClipRequest clip{text_of(section, "clip"), 1 / fps};
+  SoupInShapes soup;
+  const bool is_read = read_file_of(section, "mesh", text_of(section, "mesh"), scene_folder,
+                                    [&](const fs::path& path) { soup = read_clip(path, clip); });
+  if (!is_read) return std::nullopt;
+  return make_shape(section, soup, 0, 1 / fps);
 }
 
 }  // namespace drape

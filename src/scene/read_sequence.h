@@ -17,4 +17,8 @@ bool names_sequence(const std::string& name);
 std::optional<MeshShape> read_sequence(const Section& section, const std::filesystem::path& scene_folder,
                                        double fps);
 
+// The keys `mesh` and `clip` of a section: a file that holds an animation, which begins at frame 0.
+std::optional<MeshShape> read_clip_key(const Section& section, const std::filesystem::path& scene_folder,
+                                       double fps);
+
 }  // namespace drape

@@ -112,6 +112,97 @@ TEST(ImportProcess, GarbageIsRefused) {
     EXPECT_NE(refusal(folder.write(name, "garbage \x01\x02\xff")), "accepted") << name;
 }
 
+// The triangle, whose node goes from where it is to (0, 2, 5) in the second second of "go".
+std::string moving_gltf() {
+  std::string text = gltf_with_buffer("points.bin");
+  const auto insert = [&](const std::string& before, const std::string& what) {
+    text.insert(text.find(before) + before.size(), what);
+  };
+  insert("\"buffers\":[", R"({"uri":"keys.bin","byteLength":32},)");
+  insert("\"bufferViews\":[", R"({"buffer":0,"byteLength":8},{"buffer":0,"byteOffset":8,"byteLength":24},)");
+  insert("\"accessors\":[",
+         R"({"bufferView":0,"componentType":5126,"count":2,"type":"SCALAR","min":[1],"max":[2]},
+    {"bufferView":1,"componentType":5126,"count":2,"type":"VEC3"},)");
+  insert("\"min\":[0,0,0],\"max\":[1,1,0]}]", R"(,"animations":[{"samplers":[{"input":0,"output":1}],
+    "channels":[{"sampler":0,"target":{"node":0,"path":"translation"}}],"name":"go"}])");
+  const auto renumber = [&](const std::string& what, const std::string& with) {
+    text.replace(text.find(what), what.size(), with);
+  };
+  renumber("\"POSITION\":0", "\"POSITION\":2");
+  renumber("{\"buffer\":0,\"byteOffset\":0,\"byteLength\":36}",
+           "{\"buffer\":1,\"byteOffset\":0,\"byteLength\":36}");
+  renumber("\"bufferView\":0,\"componentType\":5126,\"count\":3",
+           "\"bufferView\":2,\"componentType\":5126,\"count\":3");
+  return text;
+}
+
+std::string key_bytes() {
+  const float keys[8] = {1, 2, 0, 0, 5, 0, 2, 5};
+  return {reinterpret_cast<const char*>(keys), sizeof keys};
+}
+
+TEST(ImportedClip, NodesMoveBetweenTheirKeysAndRestOutside) {
+  const TemporaryFolder folder;
+  folder.write("points.bin", triangle_bytes());
+  folder.write("keys.bin", key_bytes());
+  const auto path = folder.write("a.gltf", moving_gltf());
+  for (const char* name : {"go", "0"}) {
+    const SoupInShapes clip = read_clip(path, {name, 0.5});
+    ASSERT_EQ(clip.shapes.size(), 5u);  // 0 to 2 s
+    for (int i = 0; i < 5; ++i)
+      EXPECT_LT((clip.shapes[i][0] - Vec3(0, std::max(0, i - 2), 5)).norm(), 1e-6) << i;
+    EXPECT_EQ(clip.soup.points, clip.shapes[0]);
+  }
+}
+
+std::string clip_refusal(const std::filesystem::path& path, const std::string& name, double interval = 0.5) {
+  try {
+    read_clip(path, {name, interval});
+    return "accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.exit_status(), 3);
+    return error.what();
+  }
+}
+
+TEST(ImportedClip, IsRefusedInWordsWhereThereIsNone) {
+  const TemporaryFolder folder;
+  folder.write("points.bin", triangle_bytes());
+  folder.write("keys.bin", key_bytes());
+  const auto path = folder.write("a.gltf", moving_gltf()),
+             still = folder.write("b.gltf", gltf_with_buffer("points.bin")),
+             obj = folder.write("c.obj", test::square_obj);
+  const auto says = [](const std::string& words, const std::string& end) {
+    EXPECT_TRUE(words.ends_with(end)) << words;
+  };
+  says(clip_refusal(path, "come"),
+       "a.gltf: error: cannot be imported: it has no animation 'come'; it has 'go'");
+  says(clip_refusal(path, "1"), "it has no animation '1'; it has 'go'");
+  says(clip_refusal(still, "go"), "b.gltf: error: cannot be imported: it holds no animation");
+  says(clip_refusal(obj, "go"), "c.obj: error: files of this format hold no animation");
+  says(clip_refusal(path, "go", 1e-9),
+       "cannot be imported: its animation has too many frames for its points");
+}
+
+// The eel lies straight along z at time 0, which is how it was modelled; then its joints bend it sideways.
+TEST(ImportedClip, ASkinnedSurfaceIsDrawnAlongByItsJoints) {
+  const std::filesystem::path eel = std::filesystem::path(DRAPE_SOURCE_DIR) / "scenes/meshes/eel.glb";
+  const PolygonSoup modelled = read_polygons(eel);
+  const SoupInShapes clip = read_clip(eel, {"swim", 0.25});
+  ASSERT_EQ(clip.shapes.size(), 17u);
+  for (std::size_t v = 0; v < modelled.points.size(); ++v)
+    EXPECT_LT((clip.shapes[0][v] - modelled.points[v]).norm(), 1e-6);
+  double most = 0;
+  for (const std::vector<Vec3>& shape : clip.shapes) {
+    EXPECT_LT((shape[0] - modelled.points[0]).norm(), 1e-6);  // the tail hangs on the joint that rests
+    for (std::size_t v = 0; v < shape.size(); ++v)
+      EXPECT_NEAR(shape[v].y(), modelled.points[v].y(), 1e-6);  // turns about the vertical
+    most = std::max(most, std::abs(shape.back().x()));
+  }
+  EXPECT_GT(most, 0.05);
+  EXPECT_EQ(check_manifold(weld(clip).mesh), std::vector<std::string>{});
+}
+
 // Each node is the child of the one before: assimp descends until its stack is full.
 std::string gltf_of_nested_nodes(int count) {
   std::string text = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[)";
@@ -134,7 +225,7 @@ TEST(ImportProcess, DamagedFilesAreReadOrRefused) {
     damaged[at] = static_cast<char>(damaged[at] + 1);
     const auto path = folder.write("a.ply", damaged);
     try {
-      import_in_child(path);
+      import_in_child(path, std::nullopt);
     } catch (const InputError& error) {
       EXPECT_EQ(error.exit_status(), 3);
     }

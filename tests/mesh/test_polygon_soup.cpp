@@ -72,7 +72,8 @@ TEST(Weld, PointsOfManyShapesAreOneWhereTheyAreEqualInAll) {
   PolygonSoup second = first, third = first;
   for (Vec3& p : second.points) p.z() += 1;
   third.points[3].z() = 2;  // no more where point 2 is
-  const MeshInShapes two = weld(std::vector{first, second}), three = weld(std::vector{first, second, third});
+  const MeshInShapes two = weld(SoupInShapes{first, {first.points, second.points}}),
+                     three = weld(SoupInShapes{first, {first.points, second.points, third.points}});
   EXPECT_EQ(two.mesh.positions.size(), 4u);
   EXPECT_EQ(three.mesh.positions.size(), 5u);
   ASSERT_EQ(three.shapes.size(), 3u);
@@ -84,17 +85,20 @@ TEST(SoupStream, ComesBackTheSame) {
   PolygonSoup soup = separate_triangles();
   soup.uvs = {{0, 1}};
   soup.corner_uvs = {0, 0, 0, 0, 0, 0};
-  const auto same = soup_from_bytes(to_bytes(soup));
+  const std::vector<std::vector<Vec3>> shapes = {soup.points, std::vector<Vec3>(6, Vec3(1, 2, 3))};
+  const auto same = soup_from_bytes(to_bytes({soup, shapes}));
   ASSERT_TRUE(same);
-  EXPECT_EQ(same->points, soup.points);
-  EXPECT_EQ(same->uvs, soup.uvs);
-  EXPECT_EQ(same->corner_points, soup.corner_points);
-  EXPECT_EQ(same->corner_uvs, soup.corner_uvs);
-  EXPECT_EQ(same->polygon_ends, soup.polygon_ends);
+  EXPECT_EQ(same->soup.points, soup.points);
+  EXPECT_EQ(same->soup.uvs, soup.uvs);
+  EXPECT_EQ(same->soup.corner_points, soup.corner_points);
+  EXPECT_EQ(same->soup.corner_uvs, soup.corner_uvs);
+  EXPECT_EQ(same->soup.polygon_ends, soup.polygon_ends);
+  EXPECT_EQ(same->shapes, shapes);
 }
 
 TEST(SoupStream, RefusesEveryTruncation) {
-  const std::string bytes = to_bytes(separate_triangles());
+  const PolygonSoup soup = separate_triangles();
+  const std::string bytes = to_bytes({soup, {soup.points, soup.points}});
   for (std::size_t size = 0; size < bytes.size(); ++size)
     EXPECT_FALSE(soup_from_bytes(bytes.substr(0, size)));
   EXPECT_FALSE(soup_from_bytes(bytes + '\0'));
@@ -104,7 +108,7 @@ TEST(SoupStream, RefusesWhatMakesNoSense) {
   const auto refuses = [](auto change) {
     PolygonSoup soup = separate_triangles();
     change(soup);
-    return !soup_from_bytes(to_bytes(soup));
+    return !soup_from_bytes(to_bytes({soup, {}}));
   };
   EXPECT_TRUE(refuses([](PolygonSoup& soup) { soup.points[0].x() = NAN; }));
   EXPECT_TRUE(refuses([](PolygonSoup& soup) { soup.points[0].x() = 1e30; }));
@@ -117,8 +121,17 @@ TEST(SoupStream, RefusesWhatMakesNoSense) {
   EXPECT_TRUE(refuses([](PolygonSoup& soup) { soup.polygon_ends = {6, 3}; }));
 }
 
+TEST(SoupStream, RefusesShapesThatMakeNoSense) {
+  const PolygonSoup soup = separate_triangles();
+  std::vector<Vec3> fewer(soup.points.begin(), soup.points.end() - 1), infinite = soup.points;
+  infinite[3].y() = INFINITY;
+  EXPECT_TRUE(soup_from_bytes(to_bytes({soup, {soup.points}})));
+  EXPECT_FALSE(soup_from_bytes(to_bytes({soup, {soup.points, fewer}})));
+  EXPECT_FALSE(soup_from_bytes(to_bytes({soup, {soup.points, infinite}})));
+}
+
 TEST(SoupStream, RefusesACountThatWouldNotFit) {
-  std::string bytes = to_bytes(separate_triangles());
+  std::string bytes = to_bytes({separate_triangles(), {}});
   const std::uint64_t huge = ~std::uint64_t{0} / 8;
   std::memcpy(bytes.data(), &huge, sizeof huge);
   EXPECT_FALSE(soup_from_bytes(bytes));
