@@ -76,13 +76,16 @@ struct Moment {
 
 // The place of a contact that is there from the start. On a rounded collider it is where the step leads:
 // there it moves smoothly, and the place of before would be a step late, by which edges that lie on a ball
-// rock for ever.
+// rock for ever. Where that is deep inside, or on another side, the direction is not to be trusted.
 ClosestPoints standing_place(const NarrowPhase& phase, const ContactPair& pair,
                              const ClosestPoints& at_start) {
-  constexpr double least_share = 0.5;  // of the radius: deeper, the direction is not to be trusted
+  constexpr double least_share = 0.5;  // of the radius
+  constexpr double least_cosine = 0.8;
   if (pair.radius == 0) return at_start;
   const ClosestPoints at_end = closest_points(pair.kind, gather(phase.motion.end, pair.vertices));
-  return at_end.distance > least_share * pair.radius ? at_end : at_start;
+  const bool is_same_side =
+      at_end.difference.dot(at_start.difference) > least_cosine * at_end.distance * at_start.distance;
+  return at_end.distance > least_share * pair.radius && is_same_side ? at_end : at_start;
 }
 
 // Where the pair makes its contact: now, if it is near enough, or on the way.

@@ -35,11 +35,11 @@ struct NarrowPhase {
 };
 
 // The listed pairs that come within their thickness on the way, each at the first time that they do (section
-// 5 of the paper: collisions are detected on the future positions); in no order. Pairs that
-// are known to be too far are passed over. The lists must be up to date with this motion.
+// 5 of the paper: collisions are detected on the future positions); in no order. Pairs that are known to be
+// too far are passed over. The lists must be up to date with this motion. What `contacts` held is lost.
 void find_active_pairs(const NarrowPhase& phase, Proximity& proximity, std::vector<Contact>& contacts);
 
-// Vertices within their thickness of a plane at the step's end.
+// Appends vertices within their thickness of a plane at the step's end.
 void find_plane_contacts(const NarrowPhase& phase, std::vector<Contact>& contacts);
 
 }  // namespace drape

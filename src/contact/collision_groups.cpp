@@ -166,6 +166,7 @@ CollisionGroup cut_group(const ContactGeometry& geometry, const std::vector<Vec3
 
 CollisionGroups group_contacts(const ContactGeometry& geometry, const std::vector<Vec3>& positions,
                                const std::vector<Contact>& contacts) {
+  if (contacts.empty()) return {};
   const std::vector<int> roots = find_roots(geometry, contacts);
   CollisionGroups result{in_order(geometry, contacts), {}};
   const std::vector<std::size_t> begin = sort_into_bins(

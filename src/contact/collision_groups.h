@@ -14,7 +14,7 @@ struct CollisionGroup {
 };
 
 struct CollisionGroups {
-  std::vector<int> order;  // contact indices; those of a part keep their order
+  std::vector<int> order;  // contact indices
   std::vector<CollisionGroup> groups;
 };
 

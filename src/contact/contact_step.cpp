@@ -62,6 +62,8 @@ ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSe
     response = begin_response(geometry, contacts, start);
     resolve_contacts(settings.largest_thickness, response, end);
     push_apart(response, end);
+    pull_within_limits(settings.edge_limits, geometry.inverse_masses, end);
+    resolve_collider_contacts(settings.largest_thickness, response, end);
   });
   timed(profile, Phase::broad, [&] { find_pairs(phase, settings, proximity); });
   const FailSafeResult held = timed(profile, Phase::fail_safe, [&] {

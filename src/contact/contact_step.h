@@ -4,6 +4,7 @@
 
 #include "contact/active_contacts.h"
 #include "contact/contact_geometry.h"
+#include "contact/edge_limits.h"
 #include "contact/proximity.h"
 #include "core/profile.h"
 
@@ -14,7 +15,8 @@ struct ContactSettings {
   double largest_thickness = 0;
   double least_gap = 1e-5;  // m: what the fail-safe keeps
   bool fail_safe = true;
-  double healing = 0;  // share of the thickness by which old overlap may heal in a step
+  double healing = 0;           // share of the thickness by which old overlap may heal in a step
+  EdgeLimits edge_limits = {};  // these go before contact of cloth with cloth, which has a thickness to give
 };
 // From the cloths' mean edge length and thickness, and the step in seconds.
 ContactSettings contact_settings(const ContactGeometry& geometry, double step);

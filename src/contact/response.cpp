@@ -35,12 +35,18 @@ std::array<int, 4> vertices_that_count(const Contact& contact) {
   return vertices;
 }
 
+bool meets_collider(const ContactGeometry& geometry, const Contact& contact) {
+  const auto is_cloth = [&](int v) { return geometry.bodies[geometry.vertex_body[v]].is_cloth; };
+  return contact.kind > 1 || !std::all_of(contact.vertices.begin(), contact.vertices.end(), is_cloth);
+}
+
 Pull make_pull(const ContactGeometry& geometry, const Contact& contact, const std::vector<Vec3>& start) {
   Pull pull{};
   pull.vertices = vertices_that_count(contact);
   pull.target = contact.target;
   pull.push_target = contact.push_target;
   pull.friction = contact.friction;
+  pull.meets_collider = meets_collider(geometry, contact);
   pull.normal = padded(contact.normal);
   for (int i = 0; i < 4; ++i) {
     pull.weights[i] = contact.weights[i];
@@ -88,8 +94,9 @@ double solve(Pull& pull, std::vector<Vec4>& x) {
 double push(Pull& pull, std::vector<Vec4>& x) {
   const double lack = pull.push_target - pull.normal.dot(weighted_sum(pull, x));
   if (!(pull.mobility > 0) || lack <= 0) return 0;
-  pull.push_impulse += lack / pull.mobility;
-  apply_impulse(pull, (lack / pull.mobility * pull.normal).eval(), x);
+  const double impulse = lack * pull.effective_mass;
+  pull.push_impulse += impulse;
+  apply_impulse(pull, (impulse * pull.normal).eval(), x);
   return lack * lack;
 }
 
@@ -130,6 +137,16 @@ void sweep_groups(const Sweeps<Visit>& sweeps, Response& response) {
   });
 }
 
+void resolve(double thickness, bool all, Response& response, std::vector<Vec3>& x) {
+  if (response.pulls.empty()) return;
+  constexpr int most_sweeps = 30;
+  constexpr double settled = 0.01;
+  std::vector<Vec4> places = all_padded(x);
+  const auto visit = [&](Pull& pull) { return all || pull.meets_collider ? solve(pull, places) : 0; };
+  sweep_groups(Sweeps<decltype(visit)>{most_sweeps, settled * thickness, visit}, response);
+  unpad(places, x);
+}
+
 }  // namespace
 
 Response begin_response(const ContactGeometry& geometry, const std::vector<Contact>& contacts,
@@ -142,15 +159,15 @@ Response begin_response(const ContactGeometry& geometry, const std::vector<Conta
 }
 
 void resolve_contacts(double thickness, Response& response, std::vector<Vec3>& x) {
-  constexpr int most_sweeps = 30;
-  constexpr double settled = 0.01;
-  std::vector<Vec4> places = all_padded(x);
-  const auto visit = [&](Pull& pull) { return solve(pull, places); };
-  sweep_groups(Sweeps<decltype(visit)>{most_sweeps, settled * thickness, visit}, response);
-  unpad(places, x);
+  resolve(thickness, true, response, x);
+}
+
+void resolve_collider_contacts(double thickness, Response& response, std::vector<Vec3>& x) {
+  resolve(thickness, false, response, x);
 }
 
 void push_apart(Response& response, std::vector<Vec3>& x) {
+  if (response.pulls.empty()) return;
   constexpr int most_sweeps = 2;
   std::vector<Vec4> places = all_padded(x);
   const auto visit = [&](Pull& pull) { return push(pull, places); };

@@ -16,6 +16,7 @@ struct Pull {
   double effective_mass;        // its inverse
   double target, push_target;   // m: as the contact's
   double friction;
+  bool meets_collider;  // or a plane
   double impulse;       // lambda: kg m, never negative
   double push_impulse;  // kg m: the push's
   Vec4 weights, normal;
@@ -39,11 +40,14 @@ Response begin_response(const ContactGeometry& geometry, const std::vector<Conta
 // is the next step's to find, and the fail-safe's to keep apart until then.
 void resolve_contacts(double thickness, Response& response, std::vector<Vec3>& x);
 
+// The same for contacts with colliders alone: these go on, whatever cloth would like.
+void resolve_collider_contacts(double thickness, Response& response, std::vector<Vec3>& x);
+
 // Afterwards: moves overlapping sides a little way apart, positions only.
 void push_apart(Response& response, std::vector<Vec3>& x);
 
-// What of the vertices' ways from `start` to `end` was such a push and must not go into the velocities, in m:
-// of each contact as much as its sides have really parted. Where something pushes them together again, the
+// What of the vertices' ways from the start to `end` was such a push and must not go into the velocities, in
+// m: of each contact as much as its sides have really parted. Where something pushes them together again, the
 // push is no way, and to take it from the velocity would leave one with which nothing moves.
 std::vector<Vec3> pushed_ways(const Response& response, const std::vector<Vec3>& end);
 

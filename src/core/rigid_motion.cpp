@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace drape {
@@ -75,6 +76,15 @@ bool is_static(const RigidMotion& motion) {
   const auto moves = [](const Track& track) { return track.size() > 1; };
   return std::none_of(std::begin(motion.translate), std::end(motion.translate), moves) &&
          std::none_of(std::begin(motion.turn), std::end(motion.turn), moves);
+}
+
+double next_key(const RigidMotion& motion, double time) {
+  double next = std::numeric_limits<double>::infinity();
+  for (const auto* tracks : {&motion.translate, &motion.turn})
+    for (const Track& track : *tracks)
+      for (const auto& [key, value] : track)
+        if (key > time + 1e-9) next = std::min(next, key);
+  return next;
 }
 
 }  // namespace drape

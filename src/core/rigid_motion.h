@@ -30,6 +30,10 @@ struct RigidMotion {
 RigidPose pose_at(const RigidMotion& motion, double time);
 bool is_static(const RigidMotion& motion);
 
+// The time of the first key after `time`, by more than a nanosecond; infinity where there is none. Up to it
+// the motion is even.
+double next_key(const RigidMotion& motion, double time);
+
 // sin and cos of an angle in degrees with the same bits on every machine (libm's differ in the last bit).
 std::pair<double, double> sin_cos_degrees(double degrees);
 

@@ -21,12 +21,13 @@ void gather_start(const State& state, Scratch& scratch) {
   scratch.end = scratch.start;
 }
 
-// A rigid collider makes for its pose at `time`, or what of it it can catch up with.
+// A rigid collider makes for its pose at `time`, or what of it it can catch up with. It does not go past a
+// key in one step: where it is held on its way, its points and its clock must tell the same pose.
 void aim_rigid(const World& world, std::size_t c, double time, const State& state, Scratch& scratch,
                Vec3* points) {
   const RigidMotion& motion = world.input.colliders[c].motion;
   const double reached = state.collider_times[c];
-  scratch.collider_aims[c] = std::min(time, reached + catch_up * world.step);
+  scratch.collider_aims[c] = std::min({time, reached + catch_up * world.step, next_key(motion, reached)});
   BodyMotion& body = scratch.bodies[world.input.cloths.size() + c];
   body = {pose_at(motion, reached), pose_at(motion, scratch.collider_aims[c])};
   for (const Vec3& local : world.collider_points[c]) *points++ = body.end(local);

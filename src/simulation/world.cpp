@@ -8,6 +8,7 @@
 #include "simulation/colliders.h"
 #include "simulation/pressure.h"
 #include "simulation/sewing.h"
+#include "simulation/strain_limits.h"
 
 namespace drape {
 namespace {
@@ -86,6 +87,8 @@ void build_geometry(World& world) {
   }
   world.contact_settings = contact_settings(geometry, world.step);
   world.contact_settings.fail_safe = world.input.fail_safe;
+  if (world.input.model == DeformationModel::shape_matching)  // the others are there to be compared with
+    world.contact_settings.edge_limits = build_strain_limits(world.sheet);
 }
 
 // A layer that falls from rest on another one sinks by no more than a tenth of its thickness in a step.

@@ -34,6 +34,57 @@ TEST(ContactScenes, ASheetThatFoldsOverItselfNeverIntersects) {
   }
 }
 
+// A ball that is sent through a pinned sheet at 25 m/s, and stops at a key while the sheet holds it up.
+TEST(ContactScenes, ABallThatIsHeldUpIsWhereItsClockSays) {
+  SimulationInput input = simulate_alone(standing_sheet(0.3, 12, 0.2));
+  for (const Vec3& p : input.cloths[0].start_positions) {
+    const int v = static_cast<int>(&p - input.cloths[0].start_positions.data());
+    input.cloths[0].pins.push_back({{v}});
+  }
+  input.cloths[0].pins.resize(40);
+  ColliderInput ball{"ball", SphereShape{0.05}, {}, 0.3};
+  ball.motion.at = Vec3(0, 0.35, -0.3);
+  ball.motion.translate[2] = {{0.0, 0.0}, {0.0204, 0.5}};  // no multiple of the step
+  input.colliders.push_back(ball);
+  input.frame_duration = 0.005;
+  Simulation simulation(input);
+  double largest_lag = 0;
+  for (int frame = 0; frame < 20; ++frame) {
+    largest_lag = std::max(largest_lag, simulation.advance_frame().largest_lag);
+    const State& state = simulation.state();
+    EXPECT_LT((state.collider_points[0] - state.collider_poses[0].translation).norm(), 1e-9) << frame;
+    EXPECT_EQ(intersecting_pairs(simulation), 0);
+  }
+  EXPECT_GT(largest_lag, 1e-4);
+}
+
+// It is on the far side of the sheet at the end of its first step: which side counts is where it comes from.
+TEST(ContactScenes, ASmallBallThatGoesItsOwnWidthInAStepTakesClothAlong) {
+  SimulationInput input = simulate_alone(sheet(0.02, 2, 0.0));
+  input.gravity.setZero();
+  input.largest_step = 0.002;
+  input.cloths[0].material.thickness = 0.001;
+  ColliderInput ball{"ball", SphereShape{0.005}, {}, 0.3};
+  ball.motion.at = Vec3(0.002, -0.008, 0.001);
+  ball.motion.translate[1] = {{0.0, 0.0}, {1.0, 10.0}};
+  input.colliders.push_back(ball);
+  Simulation simulation(input);
+  EXPECT_LT(advance(simulation, 10).largest_lag, 0.004);
+  EXPECT_GT(lowest_point(simulation), 3.0);
+}
+
+TEST(ContactScenes, FoldingLeavesNoEdgeFarFromItsLength) {
+  SimulationInput input = simulate_alone(standing_sheet(0.5, 40, 0.01));
+  for (Vec3& p : input.cloths[0].start_positions) p.z() += 0.01 * p.y();
+  input.colliders.push_back(ground());
+  Simulation simulation(input);
+  for (int frame = 0; frame < 30; ++frame) {
+    const FrameStatistics statistics = simulation.advance_frame();
+    ASSERT_LT(statistics.largest_stretch, 1.03) << "frame " << frame + 1;
+    ASSERT_GT(statistics.smallest_stretch, 0.92) << "frame " << frame + 1;
+  }
+}
+
 TEST(ContactScenes, ASheetOnASphereKeepsItsThickness) {
   SimulationInput input = simulate_alone(sheet(0.8, 26, 0.31));
   input.colliders.push_back({"ball", SphereShape{0.3}, {}, 0.3});

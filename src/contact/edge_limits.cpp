@@ -1,0 +1,52 @@
+#include "contact/edge_limits.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "core/parallel.h"
+
+namespace drape {
+namespace {
+
+// Returns whether it had to.
+bool pull_edge(const EdgeLimits::Edge& edge, const std::vector<double>& inverse_masses,
+               std::vector<Vec3>& x) {
+  const auto& [a, b] = edge.vertices;
+  const Vec3 way = x[b] - x[a];
+  const double squared_length = way.squaredNorm(), response = inverse_masses[a] + inverse_masses[b];
+  if (squared_length <= edge.longest * edge.longest && squared_length >= edge.shortest * edge.shortest)
+    return false;
+  const double length = std::sqrt(squared_length);
+  if (!(response > 0 && length > 0)) return false;
+  const double excess = length - std::clamp(length, edge.shortest, edge.longest);
+  const Vec3 pull = excess / (length * response) * way;
+  x[a] += inverse_masses[a] * pull;
+  x[b] -= inverse_masses[b] * pull;
+  return true;
+}
+
+// Returns whether any edge was out of its limits.
+bool sweep(const EdgeLimits& limits, const std::vector<double>& inverse_masses, std::vector<Vec3>& x) {
+  constexpr std::size_t block = 2048;
+  std::atomic<bool> pulled = false;
+  for (std::size_t color = 0; color + 1 < limits.color_begin.size(); ++color) {
+    const std::size_t begin = limits.color_begin[color];
+    parallel_for_each(limits.color_begin[color + 1] - begin, block, [&](std::size_t i) {
+      if (pull_edge(limits.edges[begin + i], inverse_masses, x))
+        pulled.store(true, std::memory_order_relaxed);
+    });
+  }
+  return pulled;
+}
+
+}  // namespace
+
+void pull_within_limits(const EdgeLimits& limits, const std::vector<double>& inverse_masses,
+                        std::vector<Vec3>& x) {
+  constexpr int most_sweeps = 5;
+  for (int i = 0; i < most_sweeps; ++i)
+    if (!sweep(limits, inverse_masses, x)) return;
+}
+
+}  // namespace drape

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/vector.h"
+
+namespace drape {
+
+// How short and how long edges may be left by a step, colour by colour: no two of a colour share a vertex.
+struct EdgeLimits {
+  struct Edge {
+    std::array<int, 2> vertices;
+    double shortest, longest;  // m
+  };
+  std::vector<Edge> edges;
+  std::vector<std::size_t> color_begin;  // of colour c: edges[color_begin[c] .. color_begin[c + 1])
+};
+
+// Contact moves points and not cloth: one that is pushed aside alone leaves its edges too long on one side
+// and too short on the other. Here the cloth around it takes its share, in up to five Gauss-Seidel sweeps
+// that keep both momenta (after Provot 1995, Deformation Constraints in a Mass-Spring Model). Vertices of
+// inverse mass 0 stay.
+void pull_within_limits(const EdgeLimits& limits, const std::vector<double>& inverse_masses,
+                        std::vector<Vec3>& x);
+
+}  // namespace drape

@@ -1,0 +1,117 @@
+#include "contact/edge_limits.h"
+
+#include <gtest/gtest.h>
+
+#include "core/parallel.h"
+#include "scene.h"
+
+namespace drape {
+namespace {
+
+using test::Random;
+
+// A chain of points 1 m apart, whose edges may be 0.9 to 1.1 m long; in two colours.
+struct Chain {
+  EdgeLimits limits;
+  std::vector<double> inverse_masses;
+  std::vector<Vec3> x;
+
+  explicit Chain(int points) : inverse_masses(points, 1) {
+    for (int i = 0; i < points; ++i) x.emplace_back(i, 0, 0);
+    for (const int first : {0, 1}) {
+      limits.color_begin.push_back(limits.edges.size());
+      for (int i = first; i + 1 < points; i += 2) limits.edges.push_back({{i, i + 1}, 0.9, 1.1});
+    }
+    limits.color_begin.push_back(limits.edges.size());
+  }
+
+  void pull() { pull_within_limits(limits, inverse_masses, x); }
+  double length(int edge) const { return (x[edge + 1] - x[edge]).norm(); }
+};
+
+TEST(EdgeLimits, EdgesWithinThemKeepTheirBits) {
+  Chain chain(5);
+  chain.x = {{0, 0, 0}, {1.09, 0, 0}, {1.09, 0.91, 0}, {1.09, 0.91, 1}, {2, 0.91, 1}};
+  const std::vector<Vec3> before = chain.x;
+  chain.pull();
+  EXPECT_EQ(chain.x, before);
+}
+
+TEST(EdgeLimits, OneEdgeEndsAtItsLimitAndLighterPointsGoFarther) {
+  for (const double length : {0.5, 2.0}) {
+    Chain chain(2);
+    chain.inverse_masses = {3, 1};
+    chain.x[1].x() = length;
+    chain.pull();
+    EXPECT_NEAR(chain.length(0), length > 1 ? 1.1 : 0.9, 1e-14);
+    EXPECT_NEAR(chain.x[0].x(), -3 * (chain.x[1].x() - length), 1e-14);
+  }
+}
+
+// As a contact moves one point of a cloth.
+TEST(EdgeLimits, WhatMovedOnePointIsHandedOnToThoseAround) {
+  Chain chain(9);
+  chain.x[4].x() += 0.6;
+  const double worst = chain.length(3);
+  chain.pull();
+  for (int edge = 0; edge < 8; ++edge) {
+    EXPECT_LT(chain.length(edge), 1 + 0.5 * (worst - 1));
+    EXPECT_GT(chain.length(edge), 1 - 0.5 * (worst - 1));
+  }
+  EXPECT_GT(chain.x[2].x(), 2.01);
+  EXPECT_GT(chain.x[6].x(), 6.01);
+}
+
+TEST(EdgeLimits, WhatIsHeldStays) {
+  Chain chain(3);
+  chain.inverse_masses = {0, 1, 0};
+  chain.x[2].x() = 3;
+  chain.pull();
+  EXPECT_EQ(chain.x[0], Vec3(0, 0, 0));
+  EXPECT_EQ(chain.x[2], Vec3(3, 0, 0));
+}
+
+TEST(EdgeLimits, BothMomentaAreKept) {
+  Random random(1);
+  Chain chain(40);
+  for (int v = 0; v < 40; ++v) {
+    chain.inverse_masses[v] = random.between(0.2, 5);
+    chain.x[v] += random.vector(0.5);
+  }
+  const std::vector<Vec3> before = chain.x;
+  chain.pull();
+  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
+  double moved = 0;
+  for (int v = 0; v < 40; ++v) {
+    const Vec3 momentum = (chain.x[v] - before[v]) / chain.inverse_masses[v];
+    linear += momentum;
+    moved += momentum.norm();
+  }
+  EXPECT_GT(moved, 1);
+  EXPECT_LT(linear.norm(), 1e-12);
+  // Of one sweep of one colour, in which each edge's pull has no moment; of all, as the points move
+  // meanwhile.
+  Chain pair(2);
+  pair.x = {{0, 1, 2}, {3, 1, -1}};
+  const std::vector<Vec3> start = pair.x;
+  pair.pull();
+  for (int v = 0; v < 2; ++v) angular += start[v].cross(pair.x[v] - start[v]);
+  EXPECT_LT(angular.norm(), 1e-14);
+}
+
+TEST(EdgeLimits, TheSameBitsWithAnyNumberOfThreads) {
+  std::vector<std::vector<Vec3>> results;
+  for (const int threads : {1, 2, 4}) {
+    const ThreadLimit limit(threads);
+    Random random(2);
+    Chain chain(20000);
+    for (Vec3& p : chain.x) p += random.vector(0.5);
+    chain.pull();
+    results.push_back(chain.x);
+  }
+  EXPECT_EQ(results[0], results[1]);
+  EXPECT_EQ(results[0], results[2]);
+}
+
+}  // namespace
+}  // namespace drape
