@@ -60,10 +60,11 @@ ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSe
   Response response;
   timed(profile, Phase::response, [&] {
     response = begin_response(geometry, contacts, start);
-    resolve_contacts(settings.largest_thickness, response, end);
-    push_apart(response, end);
+    resolve_contacts(settings.largest_thickness, Which::all, response, end);
+    push_apart(Which::all, response, end);
     pull_within_limits(settings.edge_limits, geometry.inverse_masses, end);
-    resolve_collider_contacts(settings.largest_thickness, response, end);
+    resolve_contacts(settings.largest_thickness, Which::with_colliders, response, end);
+    push_apart(Which::with_colliders, response, end);
   });
   timed(profile, Phase::broad, [&] { find_pairs(phase, settings, proximity); });
   const FailSafeResult held = timed(profile, Phase::fail_safe, [&] {

@@ -137,13 +137,15 @@ void sweep_groups(const Sweeps<Visit>& sweeps, Response& response) {
   });
 }
 
-void resolve(double thickness, bool all, Response& response, std::vector<Vec3>& x) {
+template <typename Visit>
+void visit_contacts(Which which, int most_sweeps, double enough, Visit visit, Response& response,
+                    std::vector<Vec3>& x) {
   if (response.pulls.empty()) return;
-  constexpr int most_sweeps = 30;
-  constexpr double settled = 0.01;
   std::vector<Vec4> places = all_padded(x);
-  const auto visit = [&](Pull& pull) { return all || pull.meets_collider ? solve(pull, places) : 0; };
-  sweep_groups(Sweeps<decltype(visit)>{most_sweeps, settled * thickness, visit}, response);
+  const auto visit_some = [&](Pull& pull) {
+    return which == Which::all || pull.meets_collider ? visit(pull, places) : 0;
+  };
+  sweep_groups(Sweeps<decltype(visit_some)>{most_sweeps, enough, visit_some}, response);
   unpad(places, x);
 }
 
@@ -158,21 +160,15 @@ Response begin_response(const ContactGeometry& geometry, const std::vector<Conta
   return response;
 }
 
-void resolve_contacts(double thickness, Response& response, std::vector<Vec3>& x) {
-  resolve(thickness, true, response, x);
+void resolve_contacts(double thickness, Which which, Response& response, std::vector<Vec3>& x) {
+  constexpr int most_sweeps = 30;
+  constexpr double settled = 0.01;  // of the thickness
+  visit_contacts(which, most_sweeps, settled * thickness, solve, response, x);
 }
 
-void resolve_collider_contacts(double thickness, Response& response, std::vector<Vec3>& x) {
-  resolve(thickness, false, response, x);
-}
-
-void push_apart(Response& response, std::vector<Vec3>& x) {
-  if (response.pulls.empty()) return;
+void push_apart(Which which, Response& response, std::vector<Vec3>& x) {
   constexpr int most_sweeps = 2;
-  std::vector<Vec4> places = all_padded(x);
-  const auto visit = [&](Pull& pull) { return push(pull, places); };
-  sweep_groups(Sweeps<decltype(visit)>{most_sweeps, 0, visit}, response);
-  unpad(places, x);
+  visit_contacts(which, most_sweeps, 0, push, response, x);
 }
 
 std::vector<Vec3> pushed_ways(const Response& response, const std::vector<Vec3>& end) {

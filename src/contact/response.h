@@ -30,6 +30,9 @@ struct Response {
   CollisionGroups groups;
   std::vector<Pull> pulls;  // pulls[i] is of the contact groups.order[i]
 };
+// Which contacts.
+enum class Which { all, with_colliders };
+
 Response begin_response(const ContactGeometry& geometry, const std::vector<Contact>& contacts,
                         const std::vector<Vec3>& start);
 
@@ -38,13 +41,10 @@ Response begin_response(const ContactGeometry& geometry, const std::vector<Conta
 // impulses, with Coulomb friction against the way since the start. A group is settled when a sweep moves none
 // of its contacts by more than a hundredth of `thickness` (metres). What the pulls bring nearer to each other
 // is the next step's to find, and the fail-safe's to keep apart until then.
-void resolve_contacts(double thickness, Response& response, std::vector<Vec3>& x);
-
-// The same for contacts with colliders alone: these go on, whatever cloth would like.
-void resolve_collider_contacts(double thickness, Response& response, std::vector<Vec3>& x);
+void resolve_contacts(double thickness, Which which, Response& response, std::vector<Vec3>& x);
 
 // Afterwards: moves overlapping sides a little way apart, positions only.
-void push_apart(Response& response, std::vector<Vec3>& x);
+void push_apart(Which which, Response& response, std::vector<Vec3>& x);
 
 // What of the vertices' ways from the start to `end` was such a push and must not go into the velocities, in
 // m: of each contact as much as its sides have really parted. Where something pushes them together again, the

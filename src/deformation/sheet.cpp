@@ -12,10 +12,14 @@ double rest_length(const Sheet& sheet, const Edge& edge) {
   return (sheet.rest_positions[edge.vertices[1]] - sheet.rest_positions[edge.vertices[0]]).norm();
 }
 
+double triangle_mass(const Sheet& sheet, int triangle) {
+  return material_of(sheet, triangle).density * rest_area(sheet, triangle);
+}
+
 std::vector<double> lumped_masses(const Sheet& sheet) {
   std::vector<double> masses(sheet.rest_positions.size(), 0.0);
   for (int t = 0; t < static_cast<int>(sheet.triangles.size()); ++t) {
-    const double third = material_of(sheet, t).density * rest_area(sheet, t) / 3;
+    const double third = triangle_mass(sheet, t) / 3;
     for (const int vertex : sheet.triangles[t]) masses[vertex] += third;
   }
   return masses;

@@ -33,6 +33,9 @@ struct Sheet {
 // Mass of each point in kg: a third of each of its triangles.
 std::vector<double> lumped_masses(const Sheet& sheet);
 
+// Of one triangle, in kg.
+double triangle_mass(const Sheet& sheet, int triangle);
+
 double rest_area(const Sheet& sheet, int triangle);
 double rest_length(const Sheet& sheet, const Edge& edge);
 

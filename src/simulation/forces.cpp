@@ -50,9 +50,8 @@ Vec3 air_on_triangle(const World& world, int t, double time, const std::vector<V
   const auto& [a, b, c] = triangle;
   const Vec3 air = wind_at(world.input.wind, (x[a] + x[b] + x[c]) / 3, time);
   const Vec3 u = air - (velocities[a] + velocities[b] + velocities[c]) / 3;
-  const double mass = sheet.materials[sheet.triangle_materials[t]].density * rest_area(sheet, t);
   const Vec3 force = force_of_air(world.input.wind, u, 0.5 * doubled_area(triangle, x));
-  return lasting_force(force, u, mass, world.steps_per_air * world.step);
+  return lasting_force(force, u, world.triangle_masses[t], world.steps_per_air * world.step);
 }
 
 bool has_air(const WindInput& wind) { return wind.drag > 0 || wind.tangential_drag > 0; }

@@ -150,6 +150,8 @@ World build_world(SimulationInput input) {
   world.input = std::move(input);
   world.sheet = build_sheet(world.input);
   world.masses = lumped_masses(world.sheet);
+  for (int t = 0; t < static_cast<int>(world.sheet.triangles.size()); ++t)
+    world.triangle_masses.push_back(triangle_mass(world.sheet, t));
   world.steps_per_frame = choose_steps_for(world.input, world.sheet, world.masses).per_frame;
   world.step = world.input.frame_duration / world.steps_per_frame;
   world.steps_per_air = std::max(1, static_cast<int>(longest_air_interval(world.input) / world.step + 1e-9));

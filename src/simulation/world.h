@@ -23,7 +23,8 @@ struct World {
   int steps_per_air = 1;
 
   Sheet sheet;  // all cloths as one mesh
-  std::vector<double> masses;
+  std::vector<double> masses;           // kg, of each point
+  std::vector<double> triangle_masses;  // kg
   std::vector<double> pressures;  // Pa along each triangle's normal; empty where no cloth has any
   std::vector<Pin> pins;
   SeamStage seams;
