@@ -2,6 +2,7 @@
 
 #include <assimp/MemoryIOWrapper.h>
 #include <assimp/scene.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <assimp/IOSystem.hpp>
@@ -234,10 +235,14 @@ const aiAnimation& find_animation(const aiScene& scene, const std::string& name)
 
 // At one shape each interval, from 0 to the end of the last one.
 std::size_t count_shapes(double duration, double interval, std::size_t points) {
-  constexpr double most_shape_points = 40e6;  // what the memory of this process holds
+  constexpr double most_shape_points = 30e6;  // a third of the memory that this process may have
   const double count = std::ceil(duration / interval - 1e-6) + 1;
-  if (!(count >= 1 && count * static_cast<double>(points) <= most_shape_points))
-    throw std::runtime_error("its animation has too many frames for its points");
+  if (!(count >= 1)) throw std::runtime_error("its animation ends before it begins");
+  if (count * static_cast<double>(points) > most_shape_points)
+    throw std::runtime_error(fmt::format(
+        "its animation would be {:.10g} shapes of {} points, over the most of {:.0f} points in all: "
+        "take fewer frames a second, a shorter clip or a simpler mesh",
+        count, points, most_shape_points));
   return static_cast<std::size_t>(count);
 }
 
@@ -269,6 +274,7 @@ SoupInShapes import_clip_with_assimp(const fs::path& path, const ClipRequest& cl
   SoupInShapes result{soup_of(scene), {}};
   const std::size_t count =
       count_shapes(animation.mDuration / ticks, clip.interval, result.soup.points.size());
+  result.shapes.reserve(count);
   for (std::size_t i = 0; i < count; ++i)
     result.shapes.push_back(
         check_usable(pose_figure(gathering.figure, static_cast<double>(i) * clip.interval)));

@@ -69,17 +69,6 @@ SoupInShapes import_as_asked(const std::vector<std::string>& arguments) {
   return import_clip_with_assimp(arguments[0], {arguments[1], to_number(arguments[2]).value()});
 }
 
-std::string answer(const std::vector<std::string>& arguments) {
-  try {
-    if (!limit_child()) throw std::runtime_error("the importer's limits cannot be set");
-    return answer_soup + to_bytes(import_as_asked(arguments));
-  } catch (const std::bad_alloc&) {
-    return answer_error + fmt::format("it takes more than {} MiB of memory to import", child_memory >> 20);
-  } catch (const std::exception& error) {
-    return answer_error + std::string(error.what());
-  }
-}
-
 bool write_all(int file, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(file, bytes.data(), bytes.size());
@@ -88,6 +77,25 @@ bool write_all(int file, std::string_view bytes) {
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
   return true;
+}
+
+bool write_soup(int file, const SoupInShapes& soup) {
+  bool is_written = write_all(file, {&answer_soup, 1});
+  write_bytes(soup, [&](std::string_view piece) { is_written = is_written && write_all(file, piece); });
+  return is_written;
+}
+
+bool answer(int file, const std::vector<std::string>& arguments) {
+  try {
+    if (!limit_child()) throw std::runtime_error("the importer's limits cannot be set");
+    return write_soup(file, import_as_asked(arguments));
+  } catch (const std::bad_alloc&) {
+    return write_all(
+        file, answer_error + fmt::format("it takes more than {} MiB of memory to import: make it simpler",
+                                         child_memory >> 20));
+  } catch (const std::exception& error) {
+    return write_all(file, answer_error + std::string(error.what()));
+  }
 }
 
 struct Child {
@@ -190,7 +198,7 @@ std::string printable(std::string text) {
 std::optional<int> run_import_child(int argc, const char* const* argv) {
   const bool is_child = (argc == 3 || argc == 5) && argv[1] == subcommand && std::getenv(child_mark);
   if (!is_child) return std::nullopt;
-  return write_all(STDOUT_FILENO, answer({argv + 2, argv + argc})) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return answer(STDOUT_FILENO, {argv + 2, argv + argc}) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 SoupInShapes import_in_child(const fs::path& path, const std::optional<ClipRequest>& clip) {

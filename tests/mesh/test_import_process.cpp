@@ -181,7 +181,8 @@ TEST(ImportedClip, IsRefusedInWordsWhereThereIsNone) {
   says(clip_refusal(still, "go"), "b.gltf: error: cannot be imported: it holds no animation");
   says(clip_refusal(obj, "go"), "c.obj: error: files of this format hold no animation");
   says(clip_refusal(path, "go", 1e-9),
-       "cannot be imported: its animation has too many frames for its points");
+       "cannot be imported: its animation would be 2000000001 shapes of 3 points, over the most of 30000000 "
+       "points in all: take fewer frames a second, a shorter clip or a simpler mesh");
 }
 
 // The eel lies straight along z at time 0, which is how it was modelled; then its joints bend it sideways.
