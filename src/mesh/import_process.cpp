@@ -9,7 +9,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -20,6 +19,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/printable.h"
 #include "mesh/assimp_import.h"
 #include "mesh/mesh_text.h"
 #include "mesh/polygon_soup_stream.h"
@@ -186,13 +186,6 @@ std::string words_for_end(End end, int status) {
   return fmt::format("the importer ended with status {}", WEXITSTATUS(status));
 }
 
-std::string printable(std::string text) {
-  text.resize(std::min<std::size_t>(text.size(), 500));
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return text;
-}
-
 }  // namespace
 
 std::optional<int> run_import_child(int argc, const char* const* argv) {
@@ -212,7 +205,8 @@ SoupInShapes import_in_child(const fs::path& path, const std::optional<ClipReque
   if (end != End::whole) ::kill(child.process, SIGKILL);
   const int status = wait_for(child.process);
   if (end != End::whole || status != 0 || bytes.empty()) refuse(path, words_for_end(end, status));
-  if (bytes[0] == answer_error) refuse(path, "cannot be imported: " + printable(bytes.substr(1)));
+  if (bytes[0] == answer_error)
+    refuse(path, "cannot be imported: " + printable(std::string_view(bytes).substr(1), 500));
   auto soup = soup_from_bytes(std::string_view(bytes).substr(1));
   if (bytes[0] != answer_soup || !soup) refuse(path, "the importer's answer makes no sense");
   return std::move(*soup);
