@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "core/file.h"
+#include "mesh/figure.h"
 #include "mesh/limits.h"
 #include "mesh/mesh_text.h"
 
@@ -220,17 +221,24 @@ void gather_surfaces(const aiNode& node, std::size_t& next, Gathering& gathering
   for (unsigned i = 0; i < node.mNumChildren; ++i) gather_surfaces(*node.mChildren[i], next, gathering);
 }
 
-const aiAnimation& find_animation(const aiScene& scene, const std::string& name) {
+// "'walk' (0), 'run' (1)"
+std::string list_animations(const aiScene& scene) {
+  constexpr unsigned most_listed = 16;
   std::string names;
-  for (unsigned a = 0; a < scene.mNumAnimations; ++a) {
-    const std::string own = scene.mAnimations[a]->mName.C_Str();
-    if (own == name) return *scene.mAnimations[a];
-    names += (a == 0 ? "" : ", ") + (own.empty() ? std::to_string(a) : in_quotes(own));
-  }
+  for (unsigned a = 0; a < std::min(scene.mNumAnimations, most_listed); ++a)
+    names += fmt::format("{}{} ({})", a == 0 ? "" : ", ", in_quotes(scene.mAnimations[a]->mName.C_Str()), a);
+  if (scene.mNumAnimations > most_listed)
+    names += fmt::format(" and {} more", scene.mNumAnimations - most_listed);
+  return names;
+}
+
+const aiAnimation& find_animation(const aiScene& scene, const std::string& name) {
+  for (unsigned a = 0; a < scene.mNumAnimations; ++a)
+    if (scene.mAnimations[a]->mName.C_Str() == name) return *scene.mAnimations[a];
   for (unsigned a = 0; a < scene.mNumAnimations; ++a)
     if (std::to_string(a) == name) return *scene.mAnimations[a];
-  throw std::runtime_error(names.empty() ? "it holds no animation"
-                                         : "it has no animation " + in_quotes(name) + "; it has " + names);
+  if (scene.mNumAnimations == 0) throw UnknownClip("has no animation");
+  throw UnknownClip(fmt::format("has no animation {}; it has {}", in_quotes(name), list_animations(scene)));
 }
 
 // At one shape each interval, from 0 to the end of the last one.

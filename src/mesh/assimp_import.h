@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "mesh/figure.h"
+#include "mesh/clip.h"
 #include "mesh/polygon_soup.h"
 
 namespace drape {
@@ -17,7 +17,7 @@ PolygonSoup import_with_assimp(const std::filesystem::path& path);
 
 // The same in the shapes that one of the file's animations gives them: nodes that move, and surfaces that
 // these draw along (skinned). One shape each interval from the animation's time 0 on, until it is over. Morph
-// targets are refused.
+// targets are refused. Throws UnknownClip, too.
 SoupInShapes import_clip_with_assimp(const std::filesystem::path& path, const ClipRequest& clip);
 
 }  // namespace drape

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -48,12 +47,6 @@ struct Figure {
   std::vector<FigureNode> nodes;
   std::vector<NodeMotion> motions;
   std::vector<FigureSurface> surfaces;
-};
-
-// Which of a file's animations, by its name or by its number from 0, and how often its shape is taken.
-struct ClipRequest {
-  std::string name;
-  double interval;  // seconds
 };
 
 // Where the points of all surfaces are at a time: linear blend skinning, each point drawn along by its bones

@@ -34,11 +34,13 @@ constexpr const char* child_mark = "DRAPE_IMPORT_CHILD";  // environment of the 
 constexpr rlim_t child_memory = rlim_t{2} << 30;
 constexpr rlim_t child_cpu_seconds = 30;
 constexpr auto child_time = 60s;
+constexpr std::size_t most_words = 1000;  // bytes of an error
 constexpr std::size_t most_result_bytes = std::size_t{3} << 30;
 
 // The first byte of the child's answer.
 constexpr char answer_soup = 'S';
 constexpr char answer_error = 'E';
+constexpr char answer_unknown_clip = 'C';
 
 // The sanitizers of test builds reserve terabytes of address space.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -93,6 +95,8 @@ bool answer(int file, const std::vector<std::string>& arguments) {
     return write_all(
         file, answer_error + fmt::format("it takes more than {} MiB of memory to import: make it simpler",
                                          child_memory >> 20));
+  } catch (const UnknownClip& error) {
+    return write_all(file, answer_unknown_clip + std::string(error.what()));
   } catch (const std::exception& error) {
     return write_all(file, answer_error + std::string(error.what()));
   }
@@ -205,8 +209,9 @@ SoupInShapes import_in_child(const fs::path& path, const std::optional<ClipReque
   if (end != End::whole) ::kill(child.process, SIGKILL);
   const int status = wait_for(child.process);
   if (end != End::whole || status != 0 || bytes.empty()) refuse(path, words_for_end(end, status));
-  if (bytes[0] == answer_error)
-    refuse(path, "cannot be imported: " + printable(std::string_view(bytes).substr(1), 500));
+  const std::string words = printable(std::string_view(bytes).substr(1), most_words);
+  if (bytes[0] == answer_error) refuse(path, "cannot be imported: " + words);
+  if (bytes[0] == answer_unknown_clip) throw UnknownClip(words);
   auto soup = soup_from_bytes(std::string_view(bytes).substr(1));
   if (bytes[0] != answer_soup || !soup) refuse(path, "the importer's answer makes no sense");
   return std::move(*soup);
