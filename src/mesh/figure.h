@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,9 +27,10 @@ struct NodeMotion {
 };
 
 struct FigureNode {
-  int parent;  // an earlier one; -1: none
-  Mat4 rest;   // to its parent, where no motion says so
-  int motion;  // an index; -1: none
+  int parent;             // an earlier one; -1: none
+  Mat4 rest;              // to its parent, where no motion says so
+  int motion;             // an index; -1: none
+  std::string name = {};  // for messages
 };
 
 struct Bone {

@@ -1,0 +1,138 @@
+// Skinned surfaces of glTF files, read by the child.
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "mesh/mesh_file.h"
+#include "mesh/skinned_gltf.h"
+
+namespace drape {
+namespace {
+
+using test::SkinnedGltf;
+using test::TemporaryFolder;
+
+std::vector<std::vector<Vec3>> shapes_of(const SkinnedGltf& gltf, double interval = 0.5) {
+  const TemporaryFolder folder;
+  return read_clip(write(folder, gltf), {"bend", interval}).shapes;
+}
+
+// The words after the file's name.
+std::string refusal(const SkinnedGltf& gltf, const std::string& clip = "bend") {
+  const TemporaryFolder folder;
+  try {
+    read_clip(write(folder, gltf), {clip, 0.5});
+    return "accepted";
+  } catch (const UnknownClip& error) {
+    return error.what();
+  } catch (const InputError& error) {
+    return error.problems().front().message;
+  }
+}
+
+void expect_near(const Vec3& a, const Vec3& b) { EXPECT_LT((a - b).norm(), 1e-6) << a.transpose(); }
+
+TEST(SkinnedClip, GoesWithItsJoints) {
+  const auto shapes = shapes_of({});
+  ASSERT_EQ(shapes.size(), 3u);
+  for (const std::vector<Vec3>& shape : shapes) expect_near(shape[1], {1, 0, 0});
+  expect_near(shapes[0][2], {0, 2, 0});
+  expect_near(shapes[1][2], {-std::sqrt(0.5), 1 + std::sqrt(0.5), 0});
+  expect_near(shapes[2][2], {-1, 1, 0});
+}
+
+TEST(SkinnedClip, WithWeightsThatTheImporterMisreadsIsRefused) {
+  SkinnedGltf gltf;
+  gltf.has_byte_weights = true;
+  const std::string words = refusal(gltf);
+  EXPECT_TRUE(words.starts_with("cannot be imported: the weights of bones for point ")) << words;
+  EXPECT_TRUE(words.ends_with(", not 1: write the weights as floats, normalised")) << words;
+}
+
+TEST(SkinnedClip, WithWeightsThatDoNotSumUpToOneIsRefused) {
+  SkinnedGltf gltf;
+  gltf.weights[1] = {0.25f, 0.25f, 0, 0};
+  EXPECT_EQ(
+      refusal(gltf),
+      "cannot be imported: the weights of bones for point 1 of its node 'body' sum up to 0.5, not 1: write "
+      "the weights as floats, normalised");
+  gltf.weights[1] = {0.45f, 0.5f, 0, 0};
+  EXPECT_EQ(refusal(gltf), "accepted");
+}
+
+TEST(SkinnedClip, WithKeysThatAreNoTurnsIsRefused) {
+  SkinnedGltf gltf;
+  gltf.turns[1] = {0, 0, 0, 0.5f};
+  EXPECT_EQ(
+      refusal(gltf),
+      "cannot be imported: a key of its node 'high' is no rotation: its quaternion has length 0.5, not 1; "
+      "write the keys as floats");
+  gltf.turns[1] = {0, 0, NAN, 1};
+  EXPECT_EQ(refusal(gltf), "cannot be imported: a key of its node 'high' is not a number");
+  gltf.turns[1] = {0, 0, 0, 1};
+  gltf.times = {1, 0};
+  EXPECT_EQ(refusal(gltf), "cannot be imported: the times of the keys of its node 'high' do not rise");
+}
+
+TEST(SkinnedClip, WithNodesThatCannotBeToldApartIsRefused) {
+  SkinnedGltf gltf;
+  gltf.body = R"({"name":"high","mesh":0,"skin":0})";
+  const std::string words =
+      "cannot be imported: 2 of its nodes are named 'high', which an animation or a skin refers to: give "
+      "each a "
+      "name of its own";
+  EXPECT_EQ(refusal(gltf), words);
+}
+
+TEST(SkinnedClip, MayHaveNodesOfOneNameThatNothingRefersTo) {
+  SkinnedGltf gltf;
+  gltf.more_nodes = R"(,{"name":"body"},{"name":"body"})";
+  gltf.roots = "0,2,3,4";
+  EXPECT_EQ(refusal(gltf), "accepted");
+}
+
+TEST(SkinnedClip, WithJointsOutsideOfTheSceneIsRefused) {
+  SkinnedGltf gltf;
+  gltf.roots = "2";
+  EXPECT_EQ(refusal(gltf), "cannot be imported: its bone 'low' is no node of the file's scene: put it there");
+}
+
+TEST(SkinnedClip, ThatHangsOnSeveralNodesIsRefused) {
+  SkinnedGltf gltf;
+  gltf.more_nodes = R"(,{"name":"twin","mesh":0,"skin":0})";
+  gltf.roots = "0,2,3";
+  EXPECT_EQ(
+      refusal(gltf),
+      "cannot be imported: its skinned mesh 'skin' hangs on several nodes: give each one a mesh of its own");
+}
+
+// Motion capture (BVH) says how long a frame is.
+std::string bvh(const std::string& frame_time) {
+  return "HIERARCHY\nROOT hips\n{\n OFFSET 0 0 0\n CHANNELS 3 Xposition Yposition Zposition\n End Site\n {\n "
+         " "
+         "OFFSET 0 1 0\n }\n}\nMOTION\nFrames: 2\nFrame Time: " +
+         frame_time + "\n0 0 0\n1 0 0\n";
+}
+
+std::string bvh_refusal(const std::string& frame_time) {
+  const TemporaryFolder folder;
+  try {
+    read_clip(folder.write("a.bvh", bvh(frame_time)), {"0", 0.5});
+    return "accepted";
+  } catch (const InputError& error) {
+    return error.problems().front().message;
+  }
+}
+
+TEST(SkinnedClip, OfNoSenseInTimeIsRefused) {
+  EXPECT_EQ(bvh_refusal("0.04"), "accepted");
+  EXPECT_EQ(
+      bvh_refusal("-0.04"),
+      "cannot be imported: its animation runs at -25 frames a second: write its frame rate into the file");
+  EXPECT_EQ(
+      bvh_refusal("0"),
+      "cannot be imported: its animation runs at inf frames a second: write its frame rate into the file");
+}
+
+}  // namespace
+}  // namespace drape
