@@ -249,10 +249,11 @@ void gather_surfaces(Gathering& gathering) {
       gather_surface(*gathering.scene.mMeshes[node->mMeshes[i]], *surface++, gathering);
 }
 
-Figure gather_figure(const aiScene& scene, const aiAnimation& animation) {
+// Without an animation it is at rest.
+Figure gather_figure(const aiScene& scene, const aiAnimation* animation) {
   Gathering gathering{scene, {}, {}, {}, {}};
   gather_nodes(*scene.mRootNode, -1, gathering);
-  gather_motions(animation, gathering);
+  if (animation) gather_motions(*animation, gathering);
   gather_surfaces(gathering);
   check_figure(gathering.figure);
   return std::move(gathering.figure);
@@ -298,11 +299,19 @@ std::vector<Vec3> check_usable(std::vector<Vec3> points) {
   return points;
 }
 
+bool has_bones(const aiScene& scene) {
+  return std::any_of(scene.mMeshes, scene.mMeshes + scene.mNumMeshes,
+                     [](const aiMesh* mesh) { return mesh->HasBones(); });
+}
+
 }  // namespace
 
 PolygonSoup import_with_assimp(const fs::path& path) {
   Assimp::Importer importer;
-  return soup_of(read_scene(importer, path));
+  const aiScene& scene = read_scene(importer, path);
+  PolygonSoup soup = soup_of(scene);
+  if (has_bones(scene)) soup.points = check_usable(pose_figure(gather_figure(scene, nullptr), 0));
+  return soup;
 }
 
 SoupInShapes import_clip_with_assimp(const fs::path& path, const ClipRequest& clip) {
@@ -315,7 +324,7 @@ SoupInShapes import_clip_with_assimp(const fs::path& path, const ClipRequest& cl
   const double duration = animation.mDuration / ticks_per_second(animation);
   SoupInShapes result{soup_of(scene), {}};
   const std::size_t count = count_shapes(duration, clip.interval, result.soup.points.size());
-  const Figure figure = gather_figure(scene, animation);
+  const Figure figure = gather_figure(scene, &animation);
   importer.FreeScene();  // which may be as large as the shapes
 
   result.shapes.reserve(count);

@@ -10,9 +10,9 @@
 
 namespace drape {
 
-// All meshes of the file, placed as its nodes place them, in its own units and pose of rest. It may refer to
-// regular files in its own folder or below, and to no others. Throws std::runtime_error in words for the
-// user.
+// All meshes of the file, placed as its nodes place them (where they are skinned: their bones), in its own
+// units and pose of rest. It may refer to regular files in its own folder or below, and to no others. Throws
+// std::runtime_error in words for the user.
 PolygonSoup import_with_assimp(const std::filesystem::path& path);
 
 // The same in the shapes that one of the file's animations gives them: nodes that move, and surfaces that

@@ -41,6 +41,17 @@ TEST(SkinnedClip, GoesWithItsJoints) {
   expect_near(shapes[2][2], {-1, 1, 0});
 }
 
+TEST(SkinnedClip, WithoutAClipIsPosedByItsJointsAtRest) {
+  SkinnedGltf gltf;
+  gltf.body = R"({"name":"body","mesh":0,"skin":0,"translation":[5,6,7]})";
+  gltf.high = R"({"name":"high","translation":[0,1,0],"rotation":[0,0,1,0]})";
+  const TemporaryFolder folder;
+  const PolygonSoup still = read_polygons(write(folder, gltf));
+  ASSERT_EQ(still.points.size(), 3u);
+  expect_near(still.points[1], {1, 0, 0});
+  expect_near(still.points[2], {0, 0, 0});  // upside down
+}
+
 TEST(SkinnedClip, WithWeightsThatTheImporterMisreadsIsRefused) {
   SkinnedGltf gltf;
   gltf.has_byte_weights = true;
@@ -82,6 +93,9 @@ TEST(SkinnedClip, WithNodesThatCannotBeToldApartIsRefused) {
       "each a "
       "name of its own";
   EXPECT_EQ(refusal(gltf), words);
+  gltf.animations.clear();
+  const TemporaryFolder folder;
+  EXPECT_THROW(read_polygons(write(folder, gltf)), InputError);  // a bone of that name
 }
 
 TEST(SkinnedClip, MayHaveNodesOfOneNameThatNothingRefersTo) {
