@@ -41,6 +41,49 @@ TEST(SkinnedClip, GoesWithItsJoints) {
   expect_near(shapes[2][2], {-1, 1, 0});
 }
 
+// Its joints say where its points are.
+TEST(SkinnedClip, DoesNotGoWithTheNodeOfItsMesh) {
+  SkinnedGltf gltf;
+  gltf.body = R"({"name":"body","mesh":0,"skin":0,"translation":[5,6,7],"scale":[3,3,3]})";
+  EXPECT_EQ(shapes_of(gltf), shapes_of({}));
+}
+
+TEST(SkinnedClip, GrowsWithTheScaleOverItsJoints) {
+  SkinnedGltf gltf;
+  gltf.more_nodes = R"(,{"name":"armature","scale":[100,100,100],"translation":[0,0,1],"children":[0,2]})";
+  gltf.roots = "3";
+  const auto shapes = shapes_of(gltf), unscaled = shapes_of({});
+  for (std::size_t s = 0; s < shapes.size(); ++s)
+    for (std::size_t v = 0; v < shapes[s].size(); ++v)
+      EXPECT_LT((shapes[s][v] - 100 * unscaled[s][v] - Vec3(0, 0, 1)).norm(), 1e-4);
+}
+
+// Exporters write a point twice where it has two texture coordinates.
+TEST(SkinnedClip, IsJoinedAtTheSeamsOfItsTexture) {
+  SkinnedGltf gltf;
+  gltf.points = {{0, 0, 0}, {1, 0, 0}, {0.3f, 1.7f, 0.1f}, {0.3f, 1.7f, 0.1f}, {0, 0, 0}, {-1, 0, 0}};
+  gltf.uvs = {{0, 0}, {0.4f, 0}, {0, 1}, {1, 1}, {1, 0}, {0.6f, 0}};
+  gltf.joints.assign(6, {0, 1, 0, 0});
+  gltf.weights.assign(6, {1, 0, 0, 0});
+  gltf.weights[2] = gltf.weights[3] = {0.3f, 0.7f, 0, 0};
+  gltf.corners = {0, 1, 2, 3, 5, 4};
+  const TemporaryFolder folder;
+  const MeshInShapes welded = weld(read_clip(write(folder, gltf), {"bend", 0.1}));
+  EXPECT_EQ(welded.shapes.size(), 11u);
+  EXPECT_EQ(welded.mesh.positions.size(), 4u);
+  EXPECT_EQ(welded.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 3, 0}}));
+  EXPECT_EQ(welded.mesh.uv_triangles, (std::vector<Triangle>{{0, 1, 2}, {3, 5, 4}}));
+}
+
+TEST(SkinnedClip, OfNoLengthIsOneShape) {
+  SkinnedGltf gltf;
+  gltf.times = {0};
+  gltf.turns.erase(gltf.turns.begin());
+  const auto shapes = shapes_of(gltf);
+  ASSERT_EQ(shapes.size(), 1u);
+  expect_near(shapes[0][2], {-1, 1, 0});
+}
+
 TEST(SkinnedClip, WithoutAClipIsPosedByItsJointsAtRest) {
   SkinnedGltf gltf;
   gltf.body = R"({"name":"body","mesh":0,"skin":0,"translation":[5,6,7]})";
@@ -105,6 +148,13 @@ TEST(SkinnedClip, MayHaveNodesOfOneNameThatNothingRefersTo) {
   EXPECT_EQ(refusal(gltf), "accepted");
 }
 
+TEST(SkinnedClip, MayHaveJointsWithoutNames) {
+  SkinnedGltf gltf;
+  gltf.low = R"({"children":[1]})";
+  gltf.high = R"({"translation":[0,1,0]})";
+  EXPECT_EQ(shapes_of(gltf), shapes_of({}));
+}
+
 TEST(SkinnedClip, WithJointsOutsideOfTheSceneIsRefused) {
   SkinnedGltf gltf;
   gltf.roots = "2";
@@ -118,6 +168,15 @@ TEST(SkinnedClip, ThatHangsOnSeveralNodesIsRefused) {
   EXPECT_EQ(
       refusal(gltf),
       "cannot be imported: its skinned mesh 'skin' hangs on several nodes: give each one a mesh of its own");
+}
+
+TEST(SkinnedClip, OfAnotherNameIsRefusedWithAListOfThoseThereAre) {
+  SkinnedGltf gltf;
+  gltf.animations = {"歩く", "", "run"};
+  EXPECT_EQ(refusal(gltf), "has no animation 'bend'; it has '歩く' (0), '' (1), 'run' (2)");
+  gltf.animations.assign(18, "run");
+  const std::string words = refusal(gltf);
+  EXPECT_TRUE(words.ends_with(", 'run' (15) and 2 more")) << words;
 }
 
 // Motion capture (BVH) says how long a frame is.
