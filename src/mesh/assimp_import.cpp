@@ -16,6 +16,7 @@
 #include "core/file.h"
 #include "mesh/figure.h"
 #include "mesh/figure_check.h"
+#include "mesh/gltf_keys.h"
 #include "mesh/limits.h"
 #include "mesh/mesh_text.h"
 
@@ -315,6 +316,11 @@ PolygonSoup import_with_assimp(const fs::path& path) {
 }
 
 SoupInShapes import_clip_with_assimp(const fs::path& path, const ClipRequest& clip) {
+  if (has_spline_keys(read_file(path)))
+    throw std::runtime_error(
+        "the keys of its animations are joined by cubic splines, which cannot be read: export them sampled "
+        "at "
+        "each frame, and linear");
   Assimp::Importer importer;
   const aiScene& scene = read_scene(importer, path);
   const aiAnimation& animation = find_animation(scene, clip.name);

@@ -16,8 +16,9 @@ namespace drape {
 PolygonSoup import_with_assimp(const std::filesystem::path& path);
 
 // The same in the shapes that one of the file's animations gives them: nodes that move, and surfaces that
-// these draw along (skinned). One shape each interval from the animation's time 0 on, until it is over. Morph
-// targets are refused. Throws UnknownClip, too.
+// these draw along (skinned). One shape each interval from the animation's time 0 on, until it is over.
+// Keys are joined linearly: assimp does not tell where a file would have them held (STEP of glTF) or
+// joined by curves (FBX, Collada). Splines of glTF and morph targets are refused. Throws UnknownClip, too.
 SoupInShapes import_clip_with_assimp(const std::filesystem::path& path, const ClipRequest& clip);
 
 }  // namespace drape

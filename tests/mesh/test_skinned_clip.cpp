@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "mesh/gltf_keys.h"
 #include "mesh/mesh_file.h"
 #include "mesh/skinned_gltf.h"
 
@@ -126,6 +127,27 @@ TEST(SkinnedClip, WithKeysThatAreNoTurnsIsRefused) {
   gltf.turns[1] = {0, 0, 0, 1};
   gltf.times = {1, 0};
   EXPECT_EQ(refusal(gltf), "cannot be imported: the times of the keys of its node 'high' do not rise");
+}
+
+// Exporters have keys held (STEP) where all are equal.
+TEST(SkinnedClip, WithKeysOnSplinesIsRefused) {
+  SkinnedGltf gltf;
+  gltf.interpolation = "CUBICSPLINE";
+  EXPECT_EQ(
+      refusal(gltf),
+      "cannot be imported: the keys of its animations are joined by cubic splines, which cannot be read: "
+      "export them sampled at each frame, and linear");
+  gltf.interpolation = "STEP";
+  EXPECT_EQ(refusal(gltf), "accepted");
+}
+
+TEST(SplineKeys, AreFoundByTheirKeyword) {
+  EXPECT_TRUE(has_spline_keys(R"({"interpolation":"LINEAR"},{"interpolation" :
+    "CUBICSPLINE"})"));
+  EXPECT_FALSE(has_spline_keys(R"({"interpolation":"LINEAR","name":"CUBICSPLINE"})"));
+  EXPECT_FALSE(has_spline_keys(R"(["interpolation","CUBICSPLINE"])"));
+  EXPECT_FALSE(has_spline_keys(R"("CUBICSPLINE")"));
+  EXPECT_FALSE(has_spline_keys(""));
 }
 
 TEST(SkinnedClip, WithNodesThatCannotBeToldApartIsRefused) {
