@@ -188,7 +188,7 @@ int find_node(const Gathering& gathering, const std::string& name) {
 void gather_nodes(const aiNode& node, int parent, Gathering& gathering) {
   Figure& figure = gathering.figure;
   const int number = static_cast<int>(figure.nodes.size());
-  figure.nodes.push_back({parent, to_matrix(node.mTransformation), -1, node.mName.C_Str()});
+  figure.nodes.push_back({parent, -1, to_matrix(node.mTransformation), node.mName.C_Str()});
   gathering.nodes.push_back(&node);
   gathering.node_numbers[node.mName.C_Str()].push_back(number);
   for (unsigned i = 0; i < node.mNumMeshes; ++i) figure.surfaces.push_back({number, {}, {}});
@@ -223,7 +223,7 @@ Bone to_bone(const aiBone& bone, std::size_t points, const Gathering& gathering)
   if (node < 0)
     throw std::runtime_error(fmt::format("its bone {} is no node of the file's scene: put it there",
                                          in_quotes(bone.mName.C_Str())));
-  Bone result{node, to_matrix(bone.mOffsetMatrix), {}};
+  Bone result{to_matrix(bone.mOffsetMatrix), node, {}};
   for (unsigned i = 0; i < bone.mNumWeights; ++i) {
     const aiVertexWeight& weight = bone.mWeights[i];
     if (weight.mVertexId >= points)

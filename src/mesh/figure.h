@@ -28,14 +28,14 @@ struct NodeMotion {
 
 struct FigureNode {
   int parent;             // an earlier one; -1: none
-  Mat4 rest;              // to its parent, where no motion says so
   int motion;             // an index; -1: none
+  Mat4 rest;              // to its parent, where no motion says so
   std::string name = {};  // for messages
 };
 
 struct Bone {
+  Mat4 from_surface;  // where the surface's points are to the node, as modelled
   int node;
-  Mat4 from_surface;                           // where the surface's points are to the node, as modelled
   std::vector<std::pair<int, double>> shares;  // of the surface's points: which, and how much of it
 };
 
