@@ -2,6 +2,7 @@
 
 #include <assimp/MemoryIOWrapper.h>
 #include <assimp/scene.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <assimp/IOSystem.hpp>
@@ -9,9 +10,13 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <set>
 #include <stdexcept>
 
 #include "core/file.h"
+#include "mesh/figure.h"
+#include "mesh/figure_check.h"
+#include "mesh/gltf_keys.h"
 #include "mesh/limits.h"
 #include "mesh/mesh_text.h"
 
@@ -126,11 +131,6 @@ static PolygonSoup soup_of(const aiScene& scene) {
   return soup;
 }
 
-PolygonSoup import_with_assimp(const fs::path& path) {
-  Assimp::Importer importer;
-  return soup_of(read_scene(importer, path));
-}
-
 namespace {
 
 Mat4 to_matrix(const aiMatrix4x4& m) {
@@ -145,15 +145,12 @@ Quaternion to_value(const aiQuaternion& q) { return {q.w, q.x, q.y, q.z}; }
 
 template <typename Value, typename Key, typename Rest>
 TimedValues<Value> to_timed(const Key* keys, unsigned count, double ticks_per_second, const Rest& rest) {
+  if (count == 0) return {{0}, {to_value(rest)}};
   TimedValues<Value> timed;
   for (unsigned i = 0; i < count; ++i) {
-    const double time = keys[i].mTime / ticks_per_second;
-    if (!timed.times.empty() && !(time >= timed.times.back()))
-      throw std::runtime_error("the times of its animation do not rise");
-    timed.times.push_back(time);
+    timed.times.push_back(keys[i].mTime / ticks_per_second);
     timed.values.push_back(to_value(keys[i].mValue));
   }
-  if (count == 0) timed = {{0}, {to_value(rest)}};
   return timed;
 }
 
@@ -161,6 +158,7 @@ NodeMotion to_motion(const aiNodeAnim& channel, const aiNode& node, double ticks
   aiVector3D scale, place;
   aiQuaternion turn;
   node.mTransformation.Decompose(scale, turn, place);
+  turn.Normalize();  // of a node whose scale is 0 it is none
   return {to_timed<Vec3>(channel.mPositionKeys, channel.mNumPositionKeys, ticks_per_second, place),
           to_timed<Quaternion>(channel.mRotationKeys, channel.mNumRotationKeys, ticks_per_second, turn),
           to_timed<Vec3>(channel.mScalingKeys, channel.mNumScalingKeys, ticks_per_second, scale)};
@@ -169,109 +167,175 @@ NodeMotion to_motion(const aiNodeAnim& channel, const aiNode& node, double ticks
 // A figure while its parts are gathered from assimp's. Nodes and surfaces come in the order of append_node.
 struct Gathering {
   const aiScene& scene;
-  const aiAnimation& animation;
-  double ticks_per_second;
   Figure figure;
-  std::map<std::string, int> node_numbers;  // of the first of each name
+  std::vector<const aiNode*> nodes;                      // the figure's, as assimp has them
+  std::map<std::string, std::vector<int>> node_numbers;  // of each name
+  std::set<const aiMesh*> skinned;                       // those that a node has been found for
 };
 
-int find_motion(Gathering& gathering, const aiNode& node) {
-  for (unsigned c = 0; c < gathering.animation.mNumChannels; ++c) {
-    const aiNodeAnim& channel = *gathering.animation.mChannels[c];
-    if (channel.mNodeName != node.mName) continue;
-    gathering.figure.motions.push_back(to_motion(channel, node, gathering.ticks_per_second));
-    return static_cast<int>(gathering.figure.motions.size()) - 1;
-  }
-  return -1;
+// assimp's animations and bones know nodes by name alone. -1: none.
+int find_node(const Gathering& gathering, const std::string& name) {
+  const auto found = gathering.node_numbers.find(name);
+  if (found == gathering.node_numbers.end()) return -1;
+  if (found->second.size() > 1)
+    throw std::runtime_error(
+        fmt::format("{} of its nodes are named {}, which an animation or a skin refers to: "
+                    "give each a name of its own",
+                    found->second.size(), in_quotes(name)));
+  return found->second.front();
 }
 
 void gather_nodes(const aiNode& node, int parent, Gathering& gathering) {
   Figure& figure = gathering.figure;
   const int number = static_cast<int>(figure.nodes.size());
-  figure.nodes.push_back({parent, to_matrix(node.mTransformation), find_motion(gathering, node)});
-  gathering.node_numbers.try_emplace(node.mName.C_Str(), number);
+  figure.nodes.push_back({parent, -1, to_matrix(node.mTransformation), node.mName.C_Str()});
+  gathering.nodes.push_back(&node);
+  gathering.node_numbers[node.mName.C_Str()].push_back(number);
   for (unsigned i = 0; i < node.mNumMeshes; ++i) figure.surfaces.push_back({number, {}, {}});
   for (unsigned i = 0; i < node.mNumChildren; ++i) gather_nodes(*node.mChildren[i], number, gathering);
 }
 
+double ticks_per_second(const aiAnimation& animation) {
+  constexpr double usual = 25;  // assimp's, where a file does not say
+  const double ticks = animation.mTicksPerSecond;
+  if (ticks == 0) return usual;
+  if (!(ticks > 0 && std::isfinite(ticks)))
+    throw std::runtime_error(
+        fmt::format("its animation runs at {:g} frames a second: write its frame rate into the file", ticks));
+  return ticks;
+}
+
+// Channels of nodes that the file's scene leaves out move nothing.
+void gather_motions(const aiAnimation& animation, Gathering& gathering) {
+  Figure& figure = gathering.figure;
+  const double ticks = ticks_per_second(animation);
+  for (unsigned c = 0; c < animation.mNumChannels; ++c) {
+    const aiNodeAnim& channel = *animation.mChannels[c];
+    const int number = find_node(gathering, channel.mNodeName.C_Str());
+    if (number < 0) continue;
+    figure.nodes[number].motion = static_cast<int>(figure.motions.size());
+    figure.motions.push_back(to_motion(channel, *gathering.nodes[number], ticks));
+  }
+}
+
 Bone to_bone(const aiBone& bone, std::size_t points, const Gathering& gathering) {
-  const auto node = gathering.node_numbers.find(bone.mName.C_Str());
-  if (node == gathering.node_numbers.end())
-    throw std::runtime_error("it has no node for its bone " + in_quotes(bone.mName.C_Str()));
-  Bone result{node->second, to_matrix(bone.mOffsetMatrix), {}};
+  const int node = find_node(gathering, bone.mName.C_Str());
+  if (node < 0)
+    throw std::runtime_error(fmt::format("its bone {} is no node of the file's scene: put it there",
+                                         in_quotes(bone.mName.C_Str())));
+  Bone result{to_matrix(bone.mOffsetMatrix), node, {}};
   for (unsigned i = 0; i < bone.mNumWeights; ++i) {
     const aiVertexWeight& weight = bone.mWeights[i];
     if (weight.mVertexId >= points)
       throw std::runtime_error("a bone names a point that the file does not have");
-    if (weight.mWeight > 0) result.shares.emplace_back(static_cast<int>(weight.mVertexId), weight.mWeight);
+    if (weight.mWeight != 0) result.shares.emplace_back(static_cast<int>(weight.mVertexId), weight.mWeight);
   }
   return result;
 }
 
-void gather_surfaces(const aiNode& node, std::size_t& next, Gathering& gathering) {
-  for (unsigned i = 0; i < node.mNumMeshes; ++i) {
-    const aiMesh& mesh = *gathering.scene.mMeshes[node.mMeshes[i]];
-    FigureSurface& surface = gathering.figure.surfaces[next++];
-    for (unsigned v = 0; v < mesh.mNumVertices; ++v) surface.points.push_back(to_point(mesh.mVertices[v]));
-    for (unsigned b = 0; b < mesh.mNumBones; ++b)
-      surface.bones.push_back(to_bone(*mesh.mBones[b], surface.points.size(), gathering));
-  }
-  for (unsigned i = 0; i < node.mNumChildren; ++i) gather_surfaces(*node.mChildren[i], next, gathering);
+void gather_surface(const aiMesh& mesh, FigureSurface& surface, Gathering& gathering) {
+  if (mesh.HasBones() && !gathering.skinned.insert(&mesh).second)
+    throw std::runtime_error(
+        fmt::format("its skinned mesh {} hangs on several nodes: give each one a mesh of its own",
+                    in_quotes(mesh.mName.C_Str())));
+  for (unsigned v = 0; v < mesh.mNumVertices; ++v) surface.points.push_back(to_point(mesh.mVertices[v]));
+  for (unsigned b = 0; b < mesh.mNumBones; ++b)
+    surface.bones.push_back(to_bone(*mesh.mBones[b], surface.points.size(), gathering));
+}
+
+void gather_surfaces(Gathering& gathering) {
+  auto surface = gathering.figure.surfaces.begin();
+  for (const aiNode* node : gathering.nodes)
+    for (unsigned i = 0; i < node->mNumMeshes; ++i)
+      gather_surface(*gathering.scene.mMeshes[node->mMeshes[i]], *surface++, gathering);
+}
+
+// Without an animation it is at rest.
+Figure gather_figure(const aiScene& scene, const aiAnimation* animation) {
+  Gathering gathering{scene, {}, {}, {}, {}};
+  gather_nodes(*scene.mRootNode, -1, gathering);
+  if (animation) gather_motions(*animation, gathering);
+  gather_surfaces(gathering);
+  check_figure(gathering.figure);
+  return std::move(gathering.figure);
+}
+
+// "'walk' (0), 'run' (1)"
+std::string list_animations(const aiScene& scene) {
+  constexpr unsigned most_listed = 16;
+  std::string names;
+  for (unsigned a = 0; a < std::min(scene.mNumAnimations, most_listed); ++a)
+    names += fmt::format("{}{} ({})", a == 0 ? "" : ", ", in_quotes(scene.mAnimations[a]->mName.C_Str()), a);
+  if (scene.mNumAnimations > most_listed)
+    names += fmt::format(" and {} more", scene.mNumAnimations - most_listed);
+  return names;
 }
 
 const aiAnimation& find_animation(const aiScene& scene, const std::string& name) {
-  std::string names;
-  for (unsigned a = 0; a < scene.mNumAnimations; ++a) {
-    const std::string own = scene.mAnimations[a]->mName.C_Str();
-    if (own == name) return *scene.mAnimations[a];
-    names += (a == 0 ? "" : ", ") + (own.empty() ? std::to_string(a) : in_quotes(own));
-  }
+  for (unsigned a = 0; a < scene.mNumAnimations; ++a)
+    if (scene.mAnimations[a]->mName.C_Str() == name) return *scene.mAnimations[a];
   for (unsigned a = 0; a < scene.mNumAnimations; ++a)
     if (std::to_string(a) == name) return *scene.mAnimations[a];
-  throw std::runtime_error(names.empty() ? "it holds no animation"
-                                         : "it has no animation " + in_quotes(name) + "; it has " + names);
+  if (scene.mNumAnimations == 0) throw UnknownClip("has no animation");
+  throw UnknownClip(fmt::format("has no animation {}; it has {}", in_quotes(name), list_animations(scene)));
 }
 
 // At one shape each interval, from 0 to the end of the last one.
 std::size_t count_shapes(double duration, double interval, std::size_t points) {
-  constexpr double most_shape_points = 40e6;  // what the memory of this process holds
+  constexpr double most_shape_points = 30e6;  // a third of the memory that this process may have
   const double count = std::ceil(duration / interval - 1e-6) + 1;
-  if (!(count >= 1 && count * static_cast<double>(points) <= most_shape_points))
-    throw std::runtime_error("its animation has too many frames for its points");
+  if (!(count >= 1)) throw std::runtime_error("its animation ends before it begins");
+  if (count * static_cast<double>(points) > most_shape_points)
+    throw std::runtime_error(fmt::format(
+        "its animation would be {:.10g} shapes of {} points, over the most of {:.0f} points in all: "
+        "take fewer frames a second, a shorter clip or a simpler mesh",
+        count, points, most_shape_points));
   return static_cast<std::size_t>(count);
 }
 
 std::vector<Vec3> check_usable(std::vector<Vec3> points) {
   for (const Vec3& point : points)
     for (const double x : point)
-      if (!is_usable_coordinate(x))
-        throw std::runtime_error("its animation leads to points that are not usable");
+      if (!is_usable_coordinate(x)) throw std::runtime_error("its nodes lead to points that are not usable");
   return points;
+}
+
+bool has_bones(const aiScene& scene) {
+  return std::any_of(scene.mMeshes, scene.mMeshes + scene.mNumMeshes,
+                     [](const aiMesh* mesh) { return mesh->HasBones(); });
 }
 
 }  // namespace
 
+PolygonSoup import_with_assimp(const fs::path& path) {
+  Assimp::Importer importer;
+  const aiScene& scene = read_scene(importer, path);
+  PolygonSoup soup = soup_of(scene);
+  if (has_bones(scene)) soup.points = check_usable(pose_figure(gather_figure(scene, nullptr), 0));
+  return soup;
+}
+
 SoupInShapes import_clip_with_assimp(const fs::path& path, const ClipRequest& clip) {
-  constexpr double usual_ticks_per_second = 25;  // assimp's, where a file does not say
+  if (has_spline_keys(read_file(path)))
+    throw std::runtime_error(
+        "the keys of its animations are joined by cubic splines, which cannot be read: export them sampled "
+        "at "
+        "each frame, and linear");
   Assimp::Importer importer;
   const aiScene& scene = read_scene(importer, path);
   const aiAnimation& animation = find_animation(scene, clip.name);
   if (animation.mNumMorphMeshChannels > 0)
     throw std::runtime_error(
         "its animation moves morph targets, which cannot be read; bake it into a sequence of .obj");
-  const double ticks = animation.mTicksPerSecond > 0 ? animation.mTicksPerSecond : usual_ticks_per_second;
-
-  Gathering gathering{scene, animation, ticks, {}, {}};
-  gather_nodes(*scene.mRootNode, -1, gathering);
-  std::size_t next = 0;
-  gather_surfaces(*scene.mRootNode, next, gathering);
-
+  const double duration = animation.mDuration / ticks_per_second(animation);
   SoupInShapes result{soup_of(scene), {}};
-  const std::size_t count =
-      count_shapes(animation.mDuration / ticks, clip.interval, result.soup.points.size());
+  const std::size_t count = count_shapes(duration, clip.interval, result.soup.points.size());
+  const Figure figure = gather_figure(scene, &animation);
+  importer.FreeScene();  // which may be as large as the shapes
+
+  result.shapes.reserve(count);
   for (std::size_t i = 0; i < count; ++i)
-    result.shapes.push_back(
-        check_usable(pose_figure(gathering.figure, static_cast<double>(i) * clip.interval)));
+    result.shapes.push_back(check_usable(pose_figure(figure, static_cast<double>(i) * clip.interval)));
   result.soup.points = result.shapes.front();
   return result;
 }

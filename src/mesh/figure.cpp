@@ -2,11 +2,15 @@
 
 #include <algorithm>
 
+#include "mesh/turn_between.h"
+
 namespace drape {
 namespace {
 
 Vec3 between(const Vec3& a, const Vec3& b, double share) { return a + share * (b - a); }
-Quaternion between(const Quaternion& a, const Quaternion& b, double share) { return a.slerp(share, b); }
+Quaternion between(const Quaternion& a, const Quaternion& b, double share) {
+  return turn_between(a.normalized(), b.normalized(), share);
+}
 
 template <typename Value>
 Value value_at(const TimedValues<Value>& timed, double time) {

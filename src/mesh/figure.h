@@ -27,14 +27,15 @@ struct NodeMotion {
 };
 
 struct FigureNode {
-  int parent;  // an earlier one; -1: none
-  Mat4 rest;   // to its parent, where no motion says so
-  int motion;  // an index; -1: none
+  int parent;             // an earlier one; -1: none
+  int motion;             // an index; -1: none
+  Mat4 rest;              // to its parent, where no motion says so
+  std::string name = {};  // for messages
 };
 
 struct Bone {
+  Mat4 from_surface;  // where the surface's points are to the node, as modelled
   int node;
-  Mat4 from_surface;                           // where the surface's points are to the node, as modelled
   std::vector<std::pair<int, double>> shares;  // of the surface's points: which, and how much of it
 };
 
@@ -48,12 +49,6 @@ struct Figure {
   std::vector<FigureNode> nodes;
   std::vector<NodeMotion> motions;
   std::vector<FigureSurface> surfaces;
-};
-
-// Which of a file's animations, by its name or by its number from 0, and how often its shape is taken.
-struct ClipRequest {
-  std::string name;
-  double interval;  // seconds
 };
 
 // Where the points of all surfaces are at a time: linear blend skinning, each point drawn along by its bones

@@ -9,7 +9,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -20,6 +19,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/printable.h"
 #include "mesh/assimp_import.h"
 #include "mesh/mesh_text.h"
 #include "mesh/polygon_soup_stream.h"
@@ -34,11 +34,13 @@ constexpr const char* child_mark = "DRAPE_IMPORT_CHILD";  // environment of the 
 constexpr rlim_t child_memory = rlim_t{2} << 30;
 constexpr rlim_t child_cpu_seconds = 30;
 constexpr auto child_time = 60s;
+constexpr std::size_t most_words = 1000;  // bytes of an error
 constexpr std::size_t most_result_bytes = std::size_t{3} << 30;
 
 // The first byte of the child's answer.
 constexpr char answer_soup = 'S';
 constexpr char answer_error = 'E';
+constexpr char answer_unknown_clip = 'C';
 
 // The sanitizers of test builds reserve terabytes of address space.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -69,17 +71,6 @@ SoupInShapes import_as_asked(const std::vector<std::string>& arguments) {
   return import_clip_with_assimp(arguments[0], {arguments[1], to_number(arguments[2]).value()});
 }
 
-std::string answer(const std::vector<std::string>& arguments) {
-  try {
-    if (!limit_child()) throw std::runtime_error("the importer's limits cannot be set");
-    return answer_soup + to_bytes(import_as_asked(arguments));
-  } catch (const std::bad_alloc&) {
-    return answer_error + fmt::format("it takes more than {} MiB of memory to import", child_memory >> 20);
-  } catch (const std::exception& error) {
-    return answer_error + std::string(error.what());
-  }
-}
-
 bool write_all(int file, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(file, bytes.data(), bytes.size());
@@ -88,6 +79,27 @@ bool write_all(int file, std::string_view bytes) {
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
   return true;
+}
+
+bool write_soup(int file, const SoupInShapes& soup) {
+  bool is_written = write_all(file, {&answer_soup, 1});
+  write_bytes(soup, [&](std::string_view piece) { is_written = is_written && write_all(file, piece); });
+  return is_written;
+}
+
+bool answer(int file, const std::vector<std::string>& arguments) {
+  try {
+    if (!limit_child()) throw std::runtime_error("the importer's limits cannot be set");
+    return write_soup(file, import_as_asked(arguments));
+  } catch (const std::bad_alloc&) {
+    return write_all(
+        file, answer_error + fmt::format("it takes more than {} MiB of memory to import: make it simpler",
+                                         child_memory >> 20));
+  } catch (const UnknownClip& error) {
+    return write_all(file, answer_unknown_clip + std::string(error.what()));
+  } catch (const std::exception& error) {
+    return write_all(file, answer_error + std::string(error.what()));
+  }
 }
 
 struct Child {
@@ -178,19 +190,12 @@ std::string words_for_end(End end, int status) {
   return fmt::format("the importer ended with status {}", WEXITSTATUS(status));
 }
 
-std::string printable(std::string text) {
-  text.resize(std::min<std::size_t>(text.size(), 500));
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return text;
-}
-
 }  // namespace
 
 std::optional<int> run_import_child(int argc, const char* const* argv) {
   const bool is_child = (argc == 3 || argc == 5) && argv[1] == subcommand && std::getenv(child_mark);
   if (!is_child) return std::nullopt;
-  return write_all(STDOUT_FILENO, answer({argv + 2, argv + argc})) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return answer(STDOUT_FILENO, {argv + 2, argv + argc}) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 SoupInShapes import_in_child(const fs::path& path, const std::optional<ClipRequest>& clip) {
@@ -204,7 +209,9 @@ SoupInShapes import_in_child(const fs::path& path, const std::optional<ClipReque
   if (end != End::whole) ::kill(child.process, SIGKILL);
   const int status = wait_for(child.process);
   if (end != End::whole || status != 0 || bytes.empty()) refuse(path, words_for_end(end, status));
-  if (bytes[0] == answer_error) refuse(path, "cannot be imported: " + printable(bytes.substr(1)));
+  const std::string words = printable(std::string_view(bytes).substr(1), most_words);
+  if (bytes[0] == answer_error) refuse(path, "cannot be imported: " + words);
+  if (bytes[0] == answer_unknown_clip) throw UnknownClip(words);
   auto soup = soup_from_bytes(std::string_view(bytes).substr(1));
   if (bytes[0] != answer_soup || !soup) refuse(path, "the importer's answer makes no sense");
   return std::move(*soup);

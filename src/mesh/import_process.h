@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "mesh/figure.h"
+#include "mesh/clip.h"
 #include "mesh/polygon_soup.h"
 
 namespace drape {
@@ -18,7 +18,7 @@ namespace drape {
 std::optional<int> run_import_child(int argc, const char* const* argv);
 
 // The parent's side: the file's surface, and its shapes in the clip that is asked for. Throws InputError
-// (exit status 3) with the file's name where the file is at fault or the child died.
+// (exit status 3) with the file's name where the file is at fault or the child died, and UnknownClip.
 SoupInShapes import_in_child(const std::filesystem::path& path, const std::optional<ClipRequest>& clip);
 
 }  // namespace drape

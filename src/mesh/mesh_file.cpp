@@ -45,7 +45,8 @@ PolygonSoup read_polygons(const fs::path& path) {
 SoupInShapes read_clip(const fs::path& path, const ClipRequest& clip) {
   check_file(path);
   const std::string ending = lower_case_ending(path);
-  if (ending == ".obj" || ending == ".ply") refuse(path, "files of this format hold no animation");
+  if (ending == ".obj" || ending == ".ply")
+    throw UnknownClip("has no animation: files of its format hold none; use .glb, .fbx or .dae");
   return import_in_child(path, clip);
 }
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "mesh/figure.h"
+#include "mesh/clip.h"
 #include "mesh/polygon_soup.h"
 
 namespace drape {
@@ -12,7 +12,7 @@ namespace drape {
 // (exit status 3) that names file, line where there is one, and what is wrong otherwise.
 PolygonSoup read_polygons(const std::filesystem::path& path);
 
-// The same with its shapes in one of the file's animations. Formats of our own readers have none: InputError.
+// The same with its shapes in one of the file's animations. Throws UnknownClip where it has no such one.
 SoupInShapes read_clip(const std::filesystem::path& path, const ClipRequest& clip);
 
 // The same as one mesh: polygons cut into fans, points welded where their positions are equal, texture

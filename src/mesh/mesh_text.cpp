@@ -1,9 +1,9 @@
 #include "mesh/mesh_text.h"
 
-#include <algorithm>
 #include <charconv>
 
 #include "core/error.h"
+#include "core/printable.h"
 
 namespace drape {
 
@@ -57,10 +57,7 @@ std::optional<long long> to_integer(std::string_view text) { return parse<long l
 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 40;
-  std::string shown(text.substr(0, longest));
-  std::replace_if(
-      shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return "'" + shown + (text.size() > longest ? "..." : "") + "'";
+  return "'" + printable(text, longest) + (text.size() > longest ? "..." : "") + "'";
 }
 
 }  // namespace drape

@@ -42,7 +42,7 @@ class WordReader {
 std::optional<double> to_number(std::string_view text);
 std::optional<long long> to_integer(std::string_view text);
 
-// For messages: in quotes, shortened, and without bytes that a terminal would obey.
+// For messages: in quotes, shortened, and without what a terminal would obey.
 std::string in_quotes(std::string_view text);
 
 }  // namespace drape

@@ -9,23 +9,21 @@
 namespace drape {
 
 template <typename Item>
-static void append(const std::vector<Item>& items, std::string& bytes) {
+static void write_run(const std::vector<Item>& items, const ByteSink& write) {
   const std::uint64_t count = items.size();
-  bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
-  bytes.append(reinterpret_cast<const char*>(items.data()), items.size() * sizeof(Item));
+  write({reinterpret_cast<const char*>(&count), sizeof count});
+  write({reinterpret_cast<const char*>(items.data()), items.size() * sizeof(Item)});
 }
 
-std::string to_bytes(const SoupInShapes& in_shapes) {
+void write_bytes(const SoupInShapes& in_shapes, const ByteSink& write) {
   const PolygonSoup& soup = in_shapes.soup;
-  std::string bytes;
-  append(soup.points, bytes);
-  append(soup.uvs, bytes);
-  append(soup.corner_points, bytes);
-  append(soup.corner_uvs, bytes);
-  append(soup.polygon_ends, bytes);
-  append(std::vector<std::uint64_t>{in_shapes.shapes.size()}, bytes);
-  for (const std::vector<Vec3>& shape : in_shapes.shapes) append(shape, bytes);
-  return bytes;
+  write_run(soup.points, write);
+  write_run(soup.uvs, write);
+  write_run(soup.corner_points, write);
+  write_run(soup.corner_uvs, write);
+  write_run(soup.polygon_ends, write);
+  write_run(std::vector<std::uint64_t>{in_shapes.shapes.size()}, write);
+  for (const std::vector<Vec3>& shape : in_shapes.shapes) write_run(shape, write);
 }
 
 template <typename Item>

@@ -53,24 +53,30 @@ ColliderShape read_capsule(const Section& collider) {
 
 std::optional<MeshShape> read_mesh_shape(const Section& collider, const std::filesystem::path& scene_folder,
                                          double fps) {
-  const bool is_sequence = names_sequence(text_of(collider, "mesh"));
-  if (is_sequence && has(collider, "clip"))
+  const std::string mesh = text_of(collider, "mesh"), clip = text_of(collider, "clip");
+  const bool has_clip = has(collider, "clip");
+  if (mesh.empty() || (has_clip && clip.empty())) return std::nullopt;
+  if (names_sequence(mesh) && has_clip)
     collider.problems->add(
         find_entry(*collider.node, "clip")->place,
         fmt::format("{} is for one file that holds an animation, not for a sequence of files",
                     path_of(collider, "clip")));
-  if (is_sequence) return read_sequence(collider, scene_folder, fps);
-  if (has(collider, "clip")) return read_clip_key(collider, scene_folder, fps);
-  auto mesh = read_mesh_key(collider, scene_folder);
-  return mesh ? std::optional(MeshShape{std::move(*mesh)}) : std::nullopt;
+  if (names_sequence(mesh)) return read_sequence(collider, scene_folder, fps);
+  if (has_clip) return read_clip_key(collider, scene_folder, fps);
+  auto still = read_mesh_key(collider, scene_folder);
+  return still ? std::optional(MeshShape{std::move(*still)}) : std::nullopt;
 }
 
-void scale_shape(const Section& collider, MeshShape& shape) {
+std::optional<MeshShape> read_scaled_mesh(const Section& collider, const std::filesystem::path& scene_folder,
+                                          double fps) {
   double scale = 1;
   read_number(collider, "scale", scale);
-  for (Vec3& point : shape.mesh.positions) point *= scale;
-  for (std::vector<Vec3>& points : shape.shapes)
+  auto shape = read_mesh_shape(collider, scene_folder, fps);
+  if (!shape) return std::nullopt;
+  for (Vec3& point : shape->mesh.positions) point *= scale;
+  for (std::vector<Vec3>& points : shape->shapes)
     for (Vec3& point : points) point *= scale;
+  return shape;
 }
 
 std::optional<ColliderShape> read_shape(const Section& collider, const std::filesystem::path& scene_folder,
@@ -82,10 +88,8 @@ std::optional<ColliderShape> read_shape(const Section& collider, const std::file
   if (shape == "box") return read_box(collider);
   if (shape == "cylinder") return read_cylinder(collider);
   if (shape == "capsule") return read_capsule(collider);
-  if (shape != "mesh") return std::nullopt;
-  auto mesh = read_mesh_shape(collider, scene_folder, fps);
-  if (mesh) scale_shape(collider, *mesh);
-  return mesh;
+  if (shape == "mesh") return read_scaled_mesh(collider, scene_folder, fps);
+  return std::nullopt;
 }
 
 // Keys that say something of a mesh alone.

@@ -111,13 +111,25 @@ std::optional<MeshShape> read_sequence(const Section& section, const fs::path& s
   return make_shape(section, *soup, files.begin()->first / fps, 1 / fps);
 }
 
+// The shapes of the clip that the key `clip` names, or nothing and a problem there.
+static std::optional<SoupInShapes> read_clip_of(const Section& section, const fs::path& path,
+                                                const ClipRequest& clip) {
+  try {
+    return read_clip(path, clip);
+  } catch (const UnknownClip& error) {
+    section.problems->add(
+        find_value(section, "clip")->place,
+        fmt::format("{}: {} {}", path_of(section, "clip"), text_of(section, "mesh"), error.what()));
+    return std::nullopt;
+  }
+}
+
 std::optional<MeshShape> read_clip_key(const Section& section, const fs::path& scene_folder, double fps) {
   const ClipRequest clip{text_of(section, "clip"), 1 / fps};
-  SoupInShapes soup;
-  const bool is_read = read_file_of(section, "mesh", text_of(section, "mesh"), scene_folder,
-                                    [&](const fs::path& path) { soup = read_clip(path, clip); });
-  if (!is_read) return std::nullopt;
-  return make_shape(section, soup, 0, 1 / fps);
+  std::optional<SoupInShapes> soup;
+  read_file_of(section, "mesh", text_of(section, "mesh"), scene_folder,
+               [&](const fs::path& path) { soup = read_clip_of(section, path, clip); });
+  return soup ? make_shape(section, *soup, 0, 1 / fps) : std::nullopt;
 }
 
 }  // namespace drape

@@ -23,7 +23,7 @@ void expect_near(const Vec3& a, const Vec3& b) { EXPECT_LT((a - b).norm(), 1e-12
 
 // One node that moves, and one point at x = 1 that hangs on it.
 Figure of_motion(const NodeMotion& motion) {
-  return {{{-1, moved({9, 9, 9}), 0}}, {motion}, {{0, {Vec3::UnitX()}, {}}}};
+  return {{{-1, 0, moved({9, 9, 9})}}, {motion}, {{0, {Vec3::UnitX()}, {}}}};
 }
 
 TEST(Figure, APlaceIsStraightBetweenKeysAndConstantOutside) {
@@ -56,7 +56,7 @@ TEST(Figure, ScaleComesBeforeTurnAndPlace) {
 TEST(Figure, ChildrenGoWithTheirParents) {
   NodeMotion motion = resting();
   motion.turn.values = {about_z(std::numbers::pi / 2)};
-  const Figure figure{{{-1, Mat4::Identity(), 0}, {0, moved({2, 0, 0}), -1}},
+  const Figure figure{{{-1, 0, Mat4::Identity()}, {0, -1, moved({2, 0, 0})}},
                       {motion},
                       {{1, {Vec3::Zero(), Vec3::UnitX()}, {}}, {0, {Vec3::UnitY()}, {}}}};
   const std::vector<Vec3> points = pose_figure(figure, 0);
@@ -70,9 +70,9 @@ TEST(Figure, ChildrenGoWithTheirParents) {
 TEST(Figure, ASkinnedPointGoesWithItsBonesByTheirShares) {
   NodeMotion motion = resting();
   motion.place.values = {Vec3(1, 2, 0)};
-  const Bone still{0, Mat4::Identity(), {{0, 1.0}, {1, 0.5}, {2, 3.0}}};
-  const Bone raised{1, moved({-1, 0, 0}), {{1, 0.5}, {2, 1.0}}};
-  const Figure figure{{{-1, Mat4::Identity(), -1}, {-1, moved({1, 0, 0}), 0}, {-1, moved({0, 0, 7}), -1}},
+  const Bone still{Mat4::Identity(), 0, {{0, 1.0}, {1, 0.5}, {2, 3.0}}};
+  const Bone raised{moved({-1, 0, 0}), 1, {{1, 0.5}, {2, 1.0}}};
+  const Figure figure{{{-1, -1, Mat4::Identity()}, {-1, 0, moved({1, 0, 0})}, {-1, -1, moved({0, 0, 7})}},
                       {motion},
                       {{2, std::vector<Vec3>(4, Vec3(0.5, 0, 0)), {still, raised}}}};
   const std::vector<Vec3> points = pose_figure(figure, 0);

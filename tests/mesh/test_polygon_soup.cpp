@@ -2,12 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "mesh/polygon_soup_stream.h"
 
 namespace drape {
 namespace {
+
+std::string to_bytes(const SoupInShapes& soup) {
+  std::string bytes;
+  write_bytes(soup, [&](std::string_view piece) { bytes += piece; });
+  return bytes;
+}
 
 // Two triangles of an STL file: no point is shared.
 PolygonSoup separate_triangles() {
@@ -94,6 +101,15 @@ TEST(SoupStream, ComesBackTheSame) {
   EXPECT_EQ(same->soup.corner_uvs, soup.corner_uvs);
   EXPECT_EQ(same->soup.polygon_ends, soup.polygon_ends);
   EXPECT_EQ(same->shapes, shapes);
+}
+
+TEST(SoupStream, WritesShapesOutOfTheirOwnMemory) {
+  const PolygonSoup soup = separate_triangles();
+  const SoupInShapes in_shapes{soup, {soup.points, soup.points}};
+  std::vector<const void*> written;
+  write_bytes(in_shapes, [&](std::string_view piece) { written.push_back(piece.data()); });
+  for (const std::vector<Vec3>& shape : in_shapes.shapes)
+    EXPECT_EQ(std::count(written.begin(), written.end(), shape.data()), 1);
 }
 
 TEST(SoupStream, RefusesEveryTruncation) {
