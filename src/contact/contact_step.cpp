@@ -48,6 +48,49 @@ ContactSettings contact_settings(const ContactGeometry& geometry, double step) {
   return settings;
 }
 
+// Moves the ends apart as the contacts say, and keeps the cloths' edges within their limits. Colliders have
+// the last word: these go on, whatever cloth would like.
+static Response respond(const NarrowPhase& phase, const ContactSettings& settings,
+                        const std::vector<Contact>& contacts, std::vector<Vec3>& end) {
+  Response response = begin_response(phase.geometry, contacts, phase.motion.start);
+  resolve_contacts(settings.largest_thickness, Which::all, response, end);
+  push_apart(Which::all, response, end);
+  pull_within_limits(settings.edge_limits, phase.geometry.inverse_masses, end);
+  resolve_contacts(settings.largest_thickness, Which::with_colliders, response, end);
+  push_apart(Which::with_colliders, response, end);
+  return response;
+}
+
+static FailSafeResult hold_back_if_wanted(const NarrowPhase& phase, const ContactSettings& settings,
+                                          Proximity& proximity, Profile& profile, std::vector<Vec3>& end) {
+  timed(profile, Phase::broad, [&] { find_pairs(phase, settings, proximity); });
+  return timed(profile, Phase::fail_safe, [&] {
+    return settings.fail_safe ? hold_back(phase, proximity, settings.least_gap, end) : let_go(phase.geometry);
+  });
+}
+
+// Where the fail-safe has to hold points back, the response has left contacts unresolved, or made new ones:
+// it hears of them first. A point that is held stays where it is in space while its cloth is carried on, and
+// edges at it stretch to a multiple of their length.
+static FailSafeResult settle(const NarrowPhase& phase, const ContactSettings& settings, Proximity& proximity,
+                             Profile& profile, std::vector<Vec3>& end) {
+  constexpr int most_rounds = 3;
+  std::vector<Vec3> wanted = end;
+  FailSafeResult held = hold_back_if_wanted(phase, settings, proximity, profile, end);
+  for (int round = 0; round < most_rounds && held.limited_vertices > 0; ++round) {
+    end = wanted;
+    const std::vector<Contact> contacts =
+        timed(profile, Phase::narrow, [&] { return find_contacts(phase, proximity); });
+    timed(profile, Phase::response, [&] {
+      Response response = begin_response(phase.geometry, contacts, phase.motion.start);
+      resolve_contacts(settings.largest_thickness, Which::all, response, end);
+    });
+    wanted = end;
+    held = hold_back_if_wanted(phase, settings, proximity, profile, end);
+  }
+  return held;
+}
+
 ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSettings& settings,
                                 const std::vector<BodyMotion>& bodies, const std::vector<Vec3>& start,
                                 Proximity& proximity, Profile& profile, std::vector<Vec3>& end) {
@@ -57,19 +100,9 @@ ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSe
   const std::vector<Contact> contacts =
       timed(profile, Phase::narrow, [&] { return find_contacts(phase, proximity); });
   result.contacts = static_cast<int>(contacts.size());
-  Response response;
-  timed(profile, Phase::response, [&] {
-    response = begin_response(geometry, contacts, start);
-    resolve_contacts(settings.largest_thickness, Which::all, response, end);
-    push_apart(Which::all, response, end);
-    pull_within_limits(settings.edge_limits, geometry.inverse_masses, end);
-    resolve_contacts(settings.largest_thickness, Which::with_colliders, response, end);
-    push_apart(Which::with_colliders, response, end);
-  });
-  timed(profile, Phase::broad, [&] { find_pairs(phase, settings, proximity); });
-  const FailSafeResult held = timed(profile, Phase::fail_safe, [&] {
-    return settings.fail_safe ? hold_back(phase, proximity, settings.least_gap, end) : let_go(geometry);
-  });
+  const Response response =
+      timed(profile, Phase::response, [&] { return respond(phase, settings, contacts, end); });
+  const FailSafeResult held = settle(phase, settings, proximity, profile, end);
   timed(profile, Phase::response, [&] { result.push = pushed_ways(response, end); });
   result.body_progress = held.body_progress;
   result.limited_vertices = held.limited_vertices;
