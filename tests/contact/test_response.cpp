@@ -217,5 +217,37 @@ TEST(Response, TheSameBitsWithAnyNumberOfThreads) {
   EXPECT_EQ(results[0], results[2]);
 }
 
+// One sheet that falls on another: thousands of contacts that hang together.
+Scene two_layers() {
+  Random random(7);
+  Scene scene;
+  const TriangleMesh layer = make_grid({1, 1}, {50, 50});
+  scene.add_cloth(layer, thickness, 0.3);
+  scene.add_cloth(test::shifted(layer, {0.003, 1.1 * thickness, 0.002}), thickness, 0.3);
+  for (std::size_t v = 0; v < scene.start.size(); ++v) {
+    scene.geometry.inverse_masses[v] = random.between(0.2, 5);
+    scene.end[v] += random.vector(0.1 * thickness);
+    if (v >= scene.start.size() / 2) scene.end[v].y() -= 0.5 * thickness;
+  }
+  return scene;
+}
+
+TEST(Response, PartsOfALargeGroupGiveTheSameBitsWithAnyNumberOfThreadsAndOrderOfContacts) {
+  std::vector<std::vector<Vec3>> results;
+  for (const unsigned threads : {1, 2, 4}) {
+    const ThreadLimit limit(static_cast<int>(threads));
+    Scene scene = two_layers();
+    std::vector<Contact> contacts = active(scene);
+    std::shuffle(contacts.begin(), contacts.end(), std::mt19937(threads));
+    const Response response = begin_response(scene.geometry, contacts, scene.start);
+    ASSERT_FALSE(response.groups.groups.at(0).part_begin.empty());
+    test::resolve(scene, contacts, thickness);
+    results.push_back(scene.end);
+  }
+  EXPECT_NE(results[0], two_layers().end);
+  EXPECT_EQ(results[0], results[1]);
+  EXPECT_EQ(results[0], results[2]);
+}
+
 }  // namespace
 }  // namespace drape
