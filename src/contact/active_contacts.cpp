@@ -152,7 +152,7 @@ static void add_plane_contact(const NarrowPhase& phase, const ContactPlane& plan
   const double start_height = up_start.dot(phase.motion.start[v] - motion.start.translation);
   const double offset = up_end.dot(motion.end.translation);
   Contact contact{};
-  contact.kind = 2 + plane.body;
+  contact.kind = first_plane_kind + plane.body;
   contact.vertices = {v, v, v, v};
   contact.weights = {1, 0, 0, 0};
   contact.normal = up_end;

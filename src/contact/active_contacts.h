@@ -8,10 +8,12 @@
 
 namespace drape {
 
+constexpr int first_plane_kind = 2;  // after those of pairs
+
 // A contact that the response has to hold: along `normal`, the two sides (weights as in ClosestPoints) must
 // stay `target` apart at the step's end.
 struct Contact {
-  int kind;  // of its pair, or 2 + the plane's body: with the vertices, which contact it is
+  int kind;  // of its pair, or first_plane_kind + the plane's body: with the vertices, which contact it is
   std::array<int, 4> vertices;
   std::array<double, 4> weights;  // a vertex that plays no part has 0
   Vec3 normal;                    // unit, from the second side to the first

@@ -73,7 +73,7 @@ std::vector<int> in_order(const ContactGeometry& geometry, const std::vector<Con
               order.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]),
               [&](int a, int b) { return contacts[a].vertices < contacts[b].vertices; });
   sort_into_bins(
-      2 + geometry.bodies.size(), [&](int i) { return contacts[i].kind; }, std::span(order));
+      first_plane_kind + geometry.bodies.size(), [&](int i) { return contacts[i].kind; }, std::span(order));
   return order;
 }
 

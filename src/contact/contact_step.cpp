@@ -1,6 +1,7 @@
 #include "contact/contact_step.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "contact/fail_safe.h"
 #include "contact/response.h"
@@ -53,19 +54,28 @@ ContactSettings contact_settings(const ContactGeometry& geometry, double step) {
 static Response respond(const NarrowPhase& phase, const ContactSettings& settings,
                         const std::vector<Contact>& contacts, std::vector<Vec3>& end) {
   Response response = begin_response(phase.geometry, contacts, phase.motion.start);
-  resolve_contacts(settings.largest_thickness, Which::all, response, end);
-  push_apart(Which::all, response, end);
+  resolve_contacts(settings.largest_thickness, response, end);
+  push_apart(response, end);
   pull_within_limits(settings.edge_limits, phase.geometry.inverse_masses, end);
-  resolve_contacts(settings.largest_thickness, Which::with_colliders, response, end);
-  push_apart(Which::with_colliders, response, end);
+  keep_off_colliders(settings.largest_thickness, response, end);
   return response;
 }
 
-static FailSafeResult hold_back_if_wanted(const NarrowPhase& phase, const ContactSettings& settings,
+static FailSafeResult let_nothing_through(const NarrowPhase& phase, const ContactSettings& settings,
                                           Proximity& proximity, Profile& profile, std::vector<Vec3>& end) {
   timed(profile, Phase::broad, [&] { find_pairs(phase, settings, proximity); });
   return timed(profile, Phase::fail_safe, [&] {
     return settings.fail_safe ? hold_back(phase, proximity, settings.least_gap, end) : let_go(phase.geometry);
+  });
+}
+
+static void resolve_anew(const NarrowPhase& phase, const ContactSettings& settings, Proximity& proximity,
+                         Profile& profile, std::vector<Vec3>& end) {
+  const std::vector<Contact> contacts =
+      timed(profile, Phase::narrow, [&] { return find_contacts(phase, proximity); });
+  timed(profile, Phase::response, [&] {
+    Response response = begin_response(phase.geometry, contacts, phase.motion.start);
+    resolve_contacts(settings.largest_thickness, response, end);
   });
 }
 
@@ -76,17 +86,16 @@ static FailSafeResult settle(const NarrowPhase& phase, const ContactSettings& se
                              Profile& profile, std::vector<Vec3>& end) {
   constexpr int most_rounds = 3;
   std::vector<Vec3> wanted = end;
-  FailSafeResult held = hold_back_if_wanted(phase, settings, proximity, profile, end);
+  FailSafeResult held = let_nothing_through(phase, settings, proximity, profile, end);
   for (int round = 0; round < most_rounds && held.limited_vertices > 0; ++round) {
-    end = wanted;
-    const std::vector<Contact> contacts =
-        timed(profile, Phase::narrow, [&] { return find_contacts(phase, proximity); });
-    timed(profile, Phase::response, [&] {
-      Response response = begin_response(phase.geometry, contacts, phase.motion.start);
-      resolve_contacts(settings.largest_thickness, Which::all, response, end);
-    });
+    const std::vector<Vec3> reached = std::exchange(end, wanted);
+    resolve_anew(phase, settings, proximity, profile, end);
+    if (end == wanted) {  // nothing can give way
+      end = reached;
+      break;
+    }
     wanted = end;
-    held = hold_back_if_wanted(phase, settings, proximity, profile, end);
+    held = let_nothing_through(phase, settings, proximity, profile, end);
   }
   return held;
 }

@@ -37,7 +37,8 @@ std::array<int, 4> vertices_that_count(const Contact& contact) {
 
 bool meets_collider(const ContactGeometry& geometry, const Contact& contact) {
   const auto is_cloth = [&](int v) { return geometry.bodies[geometry.vertex_body[v]].is_cloth; };
-  return contact.kind > 1 || !std::all_of(contact.vertices.begin(), contact.vertices.end(), is_cloth);
+  return contact.kind >= first_plane_kind ||
+         !std::all_of(contact.vertices.begin(), contact.vertices.end(), is_cloth);
 }
 
 Pull make_pull(const ContactGeometry& geometry, const Contact& contact, const std::vector<Vec3>& start) {
@@ -100,6 +101,14 @@ double push(Pull& pull, std::vector<Vec4>& x) {
   return lack * lack;
 }
 
+double keep_off(Pull& pull, std::vector<Vec4>& x) {
+  const double target = pull.target + pull.push_impulse * pull.mobility;
+  const double lack = target - pull.normal.dot(weighted_sum(pull, x));
+  if (!pull.meets_collider || !(pull.mobility > 0) || lack <= 0) return 0;
+  apply_impulse(pull, (lack * pull.effective_mass * pull.normal).eval(), x);
+  return lack * lack;
+}
+
 // A visit for each contact, up to `most` times, until none moves anything by more than `enough` metres. It
 // returns how far it moved something, squared.
 template <typename Visit>
@@ -137,17 +146,18 @@ void sweep_groups(const Sweeps<Visit>& sweeps, Response& response) {
   });
 }
 
+// The same for points: visit(pull, points) for each contact.
 template <typename Visit>
-void visit_contacts(Which which, int most_sweeps, double enough, Visit visit, Response& response,
-                    std::vector<Vec3>& x) {
+void sweep_points(int most, double enough, const Visit& visit, Response& response, std::vector<Vec3>& x) {
   if (response.pulls.empty()) return;
   std::vector<Vec4> places = all_padded(x);
-  const auto visit_some = [&](Pull& pull) {
-    return which == Which::all || pull.meets_collider ? visit(pull, places) : 0;
-  };
-  sweep_groups(Sweeps<decltype(visit_some)>{most_sweeps, enough, visit_some}, response);
+  const auto visit_here = [&](Pull& pull) { return visit(pull, places); };
+  sweep_groups(Sweeps<decltype(visit_here)>{most, enough, visit_here}, response);
   unpad(places, x);
 }
+
+constexpr int most_sweeps = 30;
+constexpr double settled = 0.01;  // of the thickness
 
 }  // namespace
 
@@ -160,15 +170,20 @@ Response begin_response(const ContactGeometry& geometry, const std::vector<Conta
   return response;
 }
 
-void resolve_contacts(double thickness, Which which, Response& response, std::vector<Vec3>& x) {
-  constexpr int most_sweeps = 30;
-  constexpr double settled = 0.01;  // of the thickness
-  visit_contacts(which, most_sweeps, settled * thickness, solve, response, x);
+void resolve_contacts(double thickness, Response& response, std::vector<Vec3>& x) {
+  const auto visit = [](Pull& pull, std::vector<Vec4>& places) { return solve(pull, places); };
+  sweep_points(most_sweeps, settled * thickness, visit, response, x);
 }
 
-void push_apart(Which which, Response& response, std::vector<Vec3>& x) {
-  constexpr int most_sweeps = 2;
-  visit_contacts(which, most_sweeps, 0, push, response, x);
+void push_apart(Response& response, std::vector<Vec3>& x) {
+  constexpr int most_pushes = 2;
+  const auto visit = [](Pull& pull, std::vector<Vec4>& places) { return push(pull, places); };
+  sweep_points(most_pushes, 0, visit, response, x);
+}
+
+void keep_off_colliders(double thickness, Response& response, std::vector<Vec3>& x) {
+  const auto visit = [](Pull& pull, std::vector<Vec4>& places) { return keep_off(pull, places); };
+  sweep_points(most_sweeps, settled * thickness, visit, response, x);
 }
 
 std::vector<Vec3> pushed_ways(const Response& response, const std::vector<Vec3>& end) {

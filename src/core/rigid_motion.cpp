@@ -78,12 +78,29 @@ bool is_static(const RigidMotion& motion) {
          std::none_of(std::begin(motion.turn), std::end(motion.turn), moves);
 }
 
+static double steepest(const Track& track) {
+  double steepest = 0;
+  for (std::size_t i = 1; i < track.size(); ++i)
+    steepest = std::max(
+        steepest, std::abs((track[i].second - track[i - 1].second) / (track[i].first - track[i - 1].first)));
+  return steepest;
+}
+
+double largest_speed(const RigidMotion& motion) {
+  return Vec3(steepest(motion.translate[0]), steepest(motion.translate[1]), steepest(motion.translate[2]))
+      .norm();
+}
+
+static double next_key(const Track& track, double time) {
+  const auto next = std::upper_bound(track.begin(), track.end(), time + 1e-9,
+                                     [](double t, const auto& key) { return t < key.first; });
+  return next == track.end() ? std::numeric_limits<double>::infinity() : next->first;
+}
+
 double next_key(const RigidMotion& motion, double time) {
   double next = std::numeric_limits<double>::infinity();
   for (const auto* tracks : {&motion.translate, &motion.turn})
-    for (const Track& track : *tracks)
-      for (const auto& [key, value] : track)
-        if (key > time + 1e-9) next = std::min(next, key);
+    for (const Track& track : *tracks) next = std::min(next, next_key(track, time));
   return next;
 }
 

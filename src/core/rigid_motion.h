@@ -30,6 +30,9 @@ struct RigidMotion {
 RigidPose pose_at(const RigidMotion& motion, double time);
 bool is_static(const RigidMotion& motion);
 
+// m/s: no point of the body that does not turn is faster than this between keys.
+double largest_speed(const RigidMotion& motion);
+
 // The time of the first key after `time`, by more than a nanosecond; infinity where there is none. Up to it
 // the motion is even.
 double next_key(const RigidMotion& motion, double time);

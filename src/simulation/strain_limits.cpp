@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "deformation/coloring.h"
+#include "deformation/membrane_material.h"
 
 namespace drape {
 namespace {
@@ -11,24 +12,38 @@ namespace {
 constexpr double least_stretch = 0.02, least_compression = 0.05;
 constexpr double tension = 400;  // N/m
 
-// Strain along a direction under a tension of 1 N/m along it, in m/N: that of an orthotropic plate.
-double compliance_along(const ElasticMaterial& material, double cosine, double sine) {
-  const auto& [warp, weft] = material.stretch_stiffness;
-  const double c2 = cosine * cosine, s2 = sine * sine;
-  return c2 * c2 / warp + s2 * s2 / weft +
-         c2 * s2 * (1 / material.shear_stiffness - 2 * material.poisson_ratio / warp);
+// What a tension of 1 N/m along `direction` does along it, in m/N.
+double compliance_along(const Mat3& tensor, const Vec2& direction) {
+  const double c = direction.x(), s = direction.y();
+  const Vec3 strain(c * c, s * s, c * s);
+  return strain.dot(tensor.inverse() * strain);
 }
 
-EdgeLimits::Edge limit_edge(const Sheet& sheet, const Edge& edge) {
-  const int triangle = edge.triangles[0];
+// Shares of an edge's length.
+struct Strains {
+  double stretch, compression;
+};
+
+Strains strains_of(const Sheet& sheet, const Edge& edge, int triangle) {
   const ElasticMaterial& material = material_of(sheet, triangle);
-  const double length = rest_length(sheet, edge);
   const Vec3 along = sheet.rest_positions[edge.vertices[1]] - sheet.rest_positions[edge.vertices[0]];
-  const double cosine = std::min(1.0, std::abs(along.dot(warp_in_plane(sheet, triangle))) / length);
-  const double pulled = tension * compliance_along(material, cosine, std::sqrt(1 - cosine * cosine));
+  const double cosine = std::clamp(along.normalized().dot(warp_in_plane(sheet, triangle)), -1.0, 1.0);
+  const Vec2 direction(cosine,
+                       std::sqrt(1 - cosine * cosine));  // a weave is the same on both sides of its warp
+  const double pulled = tension * compliance_along(membrane_tensor(material, Vec2::UnitX()), direction);
   const double stretch = material.strain_limit > 0 ? material.strain_limit : std::max(least_stretch, pulled);
-  const double compression = std::min(1.0, std::max(least_compression, pulled));
-  return {edge.vertices, (1 - compression) * length, (1 + stretch) * length};
+  return {stretch, std::min(1.0, std::max(least_compression, pulled))};
+}
+
+// The tighter ones of the triangles on both sides.
+EdgeLimits::Edge limit_edge(const Sheet& sheet, const Edge& edge) {
+  Strains strains = strains_of(sheet, edge, edge.triangles[0]);
+  if (edge.triangles[1] >= 0) {
+    const Strains other = strains_of(sheet, edge, edge.triangles[1]);
+    strains = {std::min(strains.stretch, other.stretch), std::min(strains.compression, other.compression)};
+  }
+  const double length = rest_length(sheet, edge);
+  return {edge.vertices, (1 - strains.compression) * length, (1 + strains.stretch) * length};
 }
 
 }  // namespace

@@ -91,13 +91,6 @@ void build_geometry(World& world) {
     world.contact_settings.edge_limits = build_strain_limits(world.sheet);
 }
 
-// A layer that falls from rest on another one sinks by no more than a tenth of its thickness in a step.
-double longest_contact_step(const SimulationInput& input) {
-  double thinnest = std::numeric_limits<double>::infinity();
-  for (const ClothInput& cloth : input.cloths) thinnest = std::min(thinnest, cloth.material.thickness);
-  return std::sqrt(2 * 0.1 * thinnest / std::max(input.gravity.norm(), 1e-9));
-}
-
 // The step of the paper's own experiments, if the scene wants none that is shorter.
 double longest_air_interval(const SimulationInput& input) { return std::min(input.largest_step, 0.002); }
 
@@ -133,16 +126,9 @@ void build_pinned_parts(World& world, std::vector<char> pinned) {
 
 }  // namespace
 
-static StepChoice choose_steps_for(const SimulationInput& input, const Sheet& sheet,
-                                   const std::vector<double>& masses) {
-  const double model = longest_model_step(input, sheet, masses);
-  const double longest = std::min({input.largest_step, model, longest_contact_step(input)});
-  return {static_cast<int>(std::ceil(input.frame_duration / longest - 1e-9)), model};
-}
-
 StepChoice choose_steps(const SimulationInput& input) {
   const Sheet sheet = build_sheet(input);
-  return choose_steps_for(input, sheet, lumped_masses(sheet));
+  return choose_steps(input, sheet, lumped_masses(sheet));
 }
 
 World build_world(SimulationInput input) {
@@ -152,7 +138,7 @@ World build_world(SimulationInput input) {
   world.masses = lumped_masses(world.sheet);
   for (int t = 0; t < static_cast<int>(world.sheet.triangles.size()); ++t)
     world.triangle_masses.push_back(triangle_mass(world.sheet, t));
-  world.steps_per_frame = choose_steps_for(world.input, world.sheet, world.masses).per_frame;
+  world.steps_per_frame = choose_steps(world.input, world.sheet, world.masses).per_frame;
   world.step = world.input.frame_duration / world.steps_per_frame;
   world.steps_per_air = std::max(1, static_cast<int>(longest_air_interval(world.input) / world.step + 1e-9));
   world.pressures = triangle_pressures(world.input.cloths);

@@ -11,6 +11,7 @@
 #include "simulation/input.h"
 #include "simulation/pins.h"
 #include "simulation/simulation.h"
+#include "simulation/step_choice.h"
 
 namespace drape {
 
@@ -22,10 +23,10 @@ struct World {
   // Air changes slowly, and costs as much as a sweep of clusters: its forces are felt anew only so often.
   int steps_per_air = 1;
 
-  Sheet sheet;  // all cloths as one mesh
+  Sheet sheet;                          // all cloths as one mesh
   std::vector<double> masses;           // kg, of each point
   std::vector<double> triangle_masses;  // kg
-  std::vector<double> pressures;  // Pa along each triangle's normal; empty where no cloth has any
+  std::vector<double> pressures;        // Pa along each triangle's normal; empty where no cloth has any
   std::vector<Pin> pins;
   SeamStage seams;
   std::vector<std::vector<Vec3>> collider_points;  // of each collider, in its own frame
@@ -37,12 +38,7 @@ struct World {
   std::vector<FreePiece> free_pieces;
 };
 
-// The steps that a frame of `input` is cut into: equal ones, in every frame as many, each no longer than the
-// input, the model and the thinnest cloth's contact allow. Throws SimulationError as longest_model_step does.
-struct StepChoice {
-  int per_frame;
-  double longest_for_model;  // seconds: the model's stable or accurate step
-};
+// Of the world that would be built of `input`.
 StepChoice choose_steps(const SimulationInput& input);
 
 World build_world(SimulationInput input);

@@ -173,7 +173,7 @@ inline double least_distance(PairKind kind, const FourPoints& start, const FourP
 // of each.
 inline std::vector<Pull> resolve(Scene& scene, const std::vector<Contact>& contacts, double settled) {
   Response response = begin_response(scene.geometry, contacts, scene.start);
-  resolve_contacts(settled, Which::all, response, scene.end);
+  resolve_contacts(settled, response, scene.end);
   std::vector<Pull> pulls(contacts.size());
   for (std::size_t i = 0; i < contacts.size(); ++i) pulls[response.groups.order[i]] = response.pulls[i];
   return pulls;

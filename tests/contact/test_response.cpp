@@ -69,7 +69,7 @@ std::vector<Pull> resolve(Scene& scene) { return test::resolve(scene, active(sce
 
 Response push(Scene& scene, const std::vector<Contact>& contacts) {
   Response response = begin_response(scene.geometry, contacts, scene.start);
-  push_apart(Which::all, response, scene.end);
+  push_apart(response, scene.end);
   return response;
 }
 

@@ -84,5 +84,30 @@ TEST(IsStatic, WhereNoTrackHasTwoKeys) {
   EXPECT_FALSE(is_static(motion));
 }
 
+TEST(NextKey, IsTheFirstOfAnyTrackAfterTheTime) {
+  RigidMotion motion;
+  const double none = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(next_key(motion, 0), none);
+  motion.translate[1] = {{0.0, 0.0}, {2.0, 1.0}};
+  motion.turn[0] = {{1.0, 0.0}, {1.5, 1.0}};
+  EXPECT_EQ(next_key(motion, -1), 0);
+  EXPECT_EQ(next_key(motion, 0), 1);
+  EXPECT_EQ(next_key(motion, 1), 1.5);
+  EXPECT_EQ(next_key(motion, 1.2), 1.5);
+  EXPECT_EQ(next_key(motion, 1.5 - 1e-10), 2);  // a key that rounding puts ahead has been reached
+  EXPECT_EQ(next_key(motion, 2), none);
+}
+
+TEST(LargestSpeed, IsThatOfTheSteepestPartOfTheTracks) {
+  RigidMotion motion;
+  EXPECT_EQ(largest_speed(motion), 0);
+  motion.turn[0] = {{0.0, 0.0}, {1.0, 90.0}};
+  EXPECT_EQ(largest_speed(motion), 0);
+  motion.translate[0] = {{0.0, 0.0}, {1.0, 1.0}, {1.5, -1.0}};
+  EXPECT_EQ(largest_speed(motion), 4);
+  motion.translate[2] = {{3.0, 0.0}, {4.0, 3.0}};
+  EXPECT_EQ(largest_speed(motion), 5);
+}
+
 }  // namespace
 }  // namespace drape
