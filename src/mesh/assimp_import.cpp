@@ -305,6 +305,18 @@ bool has_bones(const aiScene& scene) {
                      [](const aiMesh* mesh) { return mesh->HasBones(); });
 }
 
+// What the importer would leave out without a word.
+void refuse_what_is_lost(const fs::path& path, const aiAnimation& animation) {
+  const bool is_gltf = path.extension() == ".gltf" || path.extension() == ".glb";
+  if (is_gltf && has_spline_keys(read_file(path)))
+    throw std::runtime_error(
+        "the keys of its animations, or of some of them, are joined by cubic splines, which cannot be read: "
+        "export them sampled at each frame, and linear");
+  if (animation.mNumMorphMeshChannels > 0)
+    throw std::runtime_error(
+        "its animation moves morph targets, which cannot be read; bake it into a sequence of .obj");
+}
+
 }  // namespace
 
 PolygonSoup import_with_assimp(const fs::path& path) {
@@ -316,17 +328,10 @@ PolygonSoup import_with_assimp(const fs::path& path) {
 }
 
 SoupInShapes import_clip_with_assimp(const fs::path& path, const ClipRequest& clip) {
-  if (has_spline_keys(read_file(path)))
-    throw std::runtime_error(
-        "the keys of its animations are joined by cubic splines, which cannot be read: export them sampled "
-        "at "
-        "each frame, and linear");
   Assimp::Importer importer;
   const aiScene& scene = read_scene(importer, path);
   const aiAnimation& animation = find_animation(scene, clip.name);
-  if (animation.mNumMorphMeshChannels > 0)
-    throw std::runtime_error(
-        "its animation moves morph targets, which cannot be read; bake it into a sequence of .obj");
+  refuse_what_is_lost(path, animation);
   const double duration = animation.mDuration / ticks_per_second(animation);
   SoupInShapes result{soup_of(scene), {}};
   const std::size_t count = count_shapes(duration, clip.interval, result.soup.points.size());

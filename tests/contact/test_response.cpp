@@ -205,6 +205,24 @@ TEST(Response, OfThePushThatMuchIsNoVelocityAsTheSidesHaveParted) {
   EXPECT_LT(weighted_sum_of_masses(scene, half).norm(), 1e-15);
 }
 
+// Two triangles near each other, of which the lower one is near a plane; moved since they were resolved.
+TEST(Response, OnlyWhatIsTooNearACollidersSurfaceIsKeptOff) {
+  Scene scene;
+  scene.add_cloth(one_triangle({-1, 0.009, -1}, {0, 0.009, 1}, {1, 0.009, -1}), thickness);
+  scene.add_cloth(one_triangle({-1, 0.017, -1}, {0, 0.017, 1}, {1, 0.017, -1}), thickness);
+  scene.add_plane();
+  std::vector<Contact> contacts = active(scene);
+  find_plane_contacts(scene.phase(), contacts);
+  Response response = begin_response(scene.geometry, contacts, scene.start);
+  resolve_contacts(thickness, response, scene.end);
+  for (int v = 0; v < 3; ++v) scene.end[v].y() = 0.004;
+  for (int v = 3; v < 6; ++v) scene.end[v].y() = 0.006;
+  const std::vector<Vec3> before = scene.end;
+  keep_off_colliders(thickness, response, scene.end);
+  for (int v = 0; v < 3; ++v) EXPECT_NEAR(scene.end[v].y(), 0.009, 1e-9);
+  for (int v = 3; v < 6; ++v) EXPECT_EQ(scene.end[v], before[v]);
+}
+
 TEST(Response, TheSameBitsWithAnyNumberOfThreads) {
   std::vector<std::vector<Vec3>> results;
   for (const int threads : {1, 2, 4}) {

@@ -1,0 +1,78 @@
+#include "contact/contact_step.h"
+
+#include <gtest/gtest.h>
+
+#include "scene.h"
+
+namespace drape {
+namespace {
+
+using test::one_triangle;
+using test::Scene;
+
+constexpr double thickness = 0.01, step = 0.001;
+
+ContactStepResult advance(Scene& scene) {
+  Proximity proximity = start_proximity(scene.geometry);
+  Profile profile;
+  return step_contacts(scene.geometry, contact_settings(scene.geometry, step), scene.bodies, scene.start,
+                       proximity, profile, scene.end);
+}
+
+Scene layers(const std::vector<double>& heights) {
+  Scene scene;
+  for (const double y : heights) scene.add_cloth(one_triangle({-1, y, -1}, {0, y, 1}, {1, y, -1}), thickness);
+  return scene;
+}
+
+void lower(Scene& scene, int cloth, double way) {
+  const auto [begin, end] = scene.vertices(cloth);
+  for (int v = begin; v < end; ++v) scene.end[v].y() -= way;
+}
+
+TEST(ContactStep, WithoutContactTheWayIsKeptToTheBit) {
+  Scene scene = layers({0, 0.05});
+  lower(scene, 1, 0.0301234567891234);
+  const std::vector<Vec3> end = scene.end;
+  const ContactStepResult result = advance(scene);
+  EXPECT_EQ(result.contacts, 0);
+  EXPECT_EQ(scene.end, end);
+}
+
+// The upper layer drives the middle one down on a third, which it had no contact with.
+TEST(ContactStep, ContactsThatTheResponseMakesAreResolvedInTheSameStep) {
+  Scene scene = layers({0, 0.03, 0.05});
+  lower(scene, 2, 0.1);
+  const ContactStepResult result = advance(scene);
+  EXPECT_EQ(result.limited_vertices, 0);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_LT(scene.end[i].y(), -0.005);
+    EXPECT_GT(scene.end[3 + i].y() - scene.end[i].y(), 0.5 * thickness);
+    EXPECT_GT(scene.end[6 + i].y() - scene.end[3 + i].y(), 0.5 * thickness);
+  }
+}
+
+TEST(ContactStep, WhereNothingCanGiveWayTheFailSafeHoldsIt) {
+  Scene scene = layers({0, 0.03});
+  for (double& inverse_mass : scene.geometry.inverse_masses) inverse_mass = 0;
+  lower(scene, 1, 0.1);
+  EXPECT_GT(advance(scene).limited_vertices, 0);
+  for (int i = 0; i < 3; ++i) EXPECT_GT(scene.end[3 + i].y(), scene.end[i].y());
+}
+
+// It lies deeper than its thickness and is lifted a little, which takes nothing from the friction.
+TEST(ContactStep, FrictionIsThatOfTheFallWhereOldOverlapHeals) {
+  constexpr double friction = 0.5, fall = 1e-4, slide = 1e-3;
+  Scene scene;
+  scene.add_cloth(test::shifted(make_grid({0.2, 0.2}, {3, 3}), {0, 0.5 * thickness, 0}), thickness, friction);
+  scene.add_plane(friction);
+  for (Vec3& p : scene.end) p += Vec3(slide, -fall, 0);
+  advance(scene);
+  for (std::size_t v = 0; v < scene.end.size(); ++v) {
+    EXPECT_GT(scene.end[v].y(), scene.start[v].y() + 1e-6);
+    EXPECT_NEAR(scene.end[v].x() - scene.start[v].x(), slide - friction * fall, 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace drape
