@@ -101,12 +101,22 @@ double push(Pull& pull, std::vector<Vec4>& x) {
   return lack * lack;
 }
 
-double keep_off(Pull& pull, std::vector<Vec4>& x) {
+// Returns how far it moved the sides.
+double keep_off(const Pull& pull, std::vector<Vec3>& x) {
+  const Vec3 normal = pull.normal.head<3>();
   const double target = pull.target + pull.push_impulse * pull.mobility;
-  const double lack = target - pull.normal.dot(weighted_sum(pull, x));
-  if (!pull.meets_collider || !(pull.mobility > 0) || lack <= 0) return 0;
-  apply_impulse(pull, (lack * pull.effective_mass * pull.normal).eval(), x);
-  return lack * lack;
+  const double lack = target - normal.dot(weighted_sum(pull, x));
+  if (!(pull.mobility > 0) || lack <= 0) return 0;
+  apply_impulse(pull, (lack * pull.effective_mass * normal).eval(), x);
+  return lack;
+}
+
+std::vector<const Pull*> collider_pulls(const CollisionGroup& group, const std::vector<Pull>& pulls) {
+  std::vector<const Pull*> found;
+  const std::size_t begin = group.part_begin.empty() ? group.joints_begin : group.part_begin.front();
+  for (std::size_t i = begin; i < group.end; ++i)
+    if (pulls[i].meets_collider) found.push_back(&pulls[i]);
+  return found;
 }
 
 // A visit for each contact, up to `most` times, until none moves anything by more than `enough` metres. It
@@ -181,9 +191,15 @@ void push_apart(Response& response, std::vector<Vec3>& x) {
   sweep_points(most_pushes, 0, visit, response, x);
 }
 
-void keep_off_colliders(double thickness, Response& response, std::vector<Vec3>& x) {
-  const auto visit = [](Pull& pull, std::vector<Vec4>& places) { return keep_off(pull, places); };
-  sweep_points(most_sweeps, settled * thickness, visit, response, x);
+void keep_off_colliders(double thickness, const Response& response, std::vector<Vec3>& x) {
+  for (const CollisionGroup& group : response.groups.groups) {
+    const std::vector<const Pull*> pulls = collider_pulls(group, response.pulls);
+    bool moved = !pulls.empty();
+    for (int sweep = 0; sweep < most_sweeps && moved; ++sweep) {
+      moved = false;
+      for (const Pull* pull : pulls) moved |= keep_off(*pull, x) > settled * thickness;
+    }
+  }
 }
 
 std::vector<Vec3> pushed_ways(const Response& response, const std::vector<Vec3>& end) {

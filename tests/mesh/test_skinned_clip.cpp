@@ -120,14 +120,27 @@ TEST(SkinnedClip, WithWeightsThatDoNotSumUpToOneIsRefused) {
       "the weights as floats, normalised");
 }
 
+TEST(SkinnedClip, WithKeysThatAreNoTurnsIsRefused) {
+  SkinnedGltf gltf;
+  gltf.turns[1] = {0, 0, 0, 0.5f};
+  EXPECT_EQ(
+      refusal(gltf),
+      "cannot be imported: a key of its node 'high' is no rotation: its quaternion has length 0.5, not 1; "
+      "write the keys as floats");
+  gltf.turns[1] = {0, 0, NAN, 1};
+  EXPECT_EQ(refusal(gltf), "cannot be imported: a key of its node 'high' is not a number");
+  gltf.turns[1] = {0, 0, 0, 1};
+  gltf.times = {1, 0};
+  EXPECT_EQ(refusal(gltf), "cannot be imported: the times of the keys of its node 'high' do not rise");
+}
+
 // Exporters have keys held (STEP) where all are equal.
 TEST(SkinnedClip, WithKeysOnSplinesIsRefused) {
   SkinnedGltf gltf;
   gltf.interpolation = "CUBICSPLINE";
   EXPECT_EQ(refusal(gltf),
             "cannot be imported: the keys of its animations, or of some of them, are joined by cubic "
-            "splines, which cannot be read: "
-            "export them sampled at each frame, and linear");
+            "splines, which cannot be read: export them sampled at each frame, and linear");
   gltf.interpolation = "STEP";
   EXPECT_EQ(refusal(gltf), "accepted");
 }
