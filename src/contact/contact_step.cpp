@@ -49,15 +49,19 @@ ContactSettings contact_settings(const ContactGeometry& geometry, double step) {
   return settings;
 }
 
-// Moves the ends apart as the contacts say, and keeps the cloths' edges within their limits. Colliders have
-// the last word: these go on, whatever cloth would like.
+// Pulls edges within their limits. Colliders have the last word: these go on, whatever cloth would like.
+static void keep_to_limits(const NarrowPhase& phase, const ContactSettings& settings,
+                           const Response& response, std::vector<Vec3>& end) {
+  pull_within_limits(settings.edge_limits, phase.geometry.inverse_masses, end);
+  keep_off_colliders(settings.largest_thickness, response, end);
+}
+
 static Response respond(const NarrowPhase& phase, const ContactSettings& settings,
                         const std::vector<Contact>& contacts, std::vector<Vec3>& end) {
   Response response = begin_response(phase.geometry, contacts, phase.motion.start);
   resolve_contacts(settings.largest_thickness, response, end);
   push_apart(response, end);
-  pull_within_limits(settings.edge_limits, phase.geometry.inverse_masses, end);
-  keep_off_colliders(settings.largest_thickness, response, end);
+  for (int round = 0; round < 2; ++round) keep_to_limits(phase, settings, response, end);
   return response;
 }
 
@@ -70,12 +74,13 @@ static FailSafeResult let_nothing_through(const NarrowPhase& phase, const Contac
 }
 
 static void resolve_anew(const NarrowPhase& phase, const ContactSettings& settings, Proximity& proximity,
-                         Profile& profile, std::vector<Vec3>& end) {
+                         Profile& profile, bool with_limits, std::vector<Vec3>& end) {
   const std::vector<Contact> contacts =
       timed(profile, Phase::narrow, [&] { return find_contacts(phase, proximity); });
   timed(profile, Phase::response, [&] {
     Response response = begin_response(phase.geometry, contacts, phase.motion.start);
     resolve_contacts(settings.largest_thickness, response, end);
+    if (with_limits) keep_to_limits(phase, settings, response, end);
   });
 }
 
@@ -84,12 +89,12 @@ static void resolve_anew(const NarrowPhase& phase, const ContactSettings& settin
 // edges at it stretch to a multiple of their length.
 static FailSafeResult settle(const NarrowPhase& phase, const ContactSettings& settings, Proximity& proximity,
                              Profile& profile, std::vector<Vec3>& end) {
-  constexpr int most_rounds = 3;
+  constexpr int most_rounds = 6, rounds_with_limits = 3;  // in the end, edges are less than passing through
   std::vector<Vec3> wanted = end;
   FailSafeResult held = let_nothing_through(phase, settings, proximity, profile, end);
   for (int round = 0; round < most_rounds && held.limited_vertices > 0; ++round) {
     const std::vector<Vec3> reached = std::exchange(end, wanted);
-    resolve_anew(phase, settings, proximity, profile, end);
+    resolve_anew(phase, settings, proximity, profile, round < rounds_with_limits, end);
     if (end == wanted) {  // nothing can give way
       end = reached;
       break;

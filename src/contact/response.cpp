@@ -47,7 +47,6 @@ Pull make_pull(const ContactGeometry& geometry, const Contact& contact, const st
   pull.target = contact.target;
   pull.push_target = contact.push_target;
   pull.friction = contact.friction;
-  pull.meets_collider = meets_collider(geometry, contact);
   pull.normal = padded(contact.normal);
   for (int i = 0; i < 4; ++i) {
     pull.weights[i] = contact.weights[i];
@@ -111,14 +110,6 @@ double keep_off(const Pull& pull, std::vector<Vec3>& x) {
   return lack;
 }
 
-std::vector<const Pull*> collider_pulls(const CollisionGroup& group, const std::vector<Pull>& pulls) {
-  std::vector<const Pull*> found;
-  const std::size_t begin = group.part_begin.empty() ? group.joints_begin : group.part_begin.front();
-  for (std::size_t i = begin; i < group.end; ++i)
-    if (pulls[i].meets_collider) found.push_back(&pulls[i]);
-  return found;
-}
-
 // A visit for each contact, up to `most` times, until none moves anything by more than `enough` metres. It
 // returns how far it moved something, squared.
 template <typename Visit>
@@ -173,10 +164,12 @@ constexpr double settled = 0.01;  // of the thickness
 
 Response begin_response(const ContactGeometry& geometry, const std::vector<Contact>& contacts,
                         const std::vector<Vec3>& start) {
-  Response response{group_contacts(geometry, start, contacts), std::vector<Pull>(contacts.size())};
+  Response response{group_contacts(geometry, start, contacts), std::vector<Pull>(contacts.size()), {}};
   parallel_for_each(contacts.size(), 512, [&](std::size_t i) {
     response.pulls[i] = make_pull(geometry, contacts[response.groups.order[i]], start);
   });
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (meets_collider(geometry, contacts[response.groups.order[i]])) response.at_colliders.push_back(i);
   return response;
 }
 
@@ -192,13 +185,11 @@ void push_apart(Response& response, std::vector<Vec3>& x) {
 }
 
 void keep_off_colliders(double thickness, const Response& response, std::vector<Vec3>& x) {
-  for (const CollisionGroup& group : response.groups.groups) {
-    const std::vector<const Pull*> pulls = collider_pulls(group, response.pulls);
-    bool moved = !pulls.empty();
-    for (int sweep = 0; sweep < most_sweeps && moved; ++sweep) {
-      moved = false;
-      for (const Pull* pull : pulls) moved |= keep_off(*pull, x) > settled * thickness;
-    }
+  bool moved = true;
+  for (int sweep = 0; sweep < most_sweeps && moved; ++sweep) {
+    moved = false;
+    for (const std::size_t i : response.at_colliders)
+      moved |= keep_off(response.pulls[i], x) > settled * thickness;
   }
 }
 

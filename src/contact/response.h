@@ -16,7 +16,6 @@ struct Pull {
   double effective_mass;        // its inverse
   double target, push_target;   // m: as the contact's
   double friction;
-  bool meets_collider;  // or a plane
   double impulse;       // lambda: kg m, never negative
   double push_impulse;  // kg m: the push's
   Vec4 weights, normal;
@@ -28,7 +27,8 @@ struct Pull {
 // The response to a step's contacts, group by group.
 struct Response {
   CollisionGroups groups;
-  std::vector<Pull> pulls;  // pulls[i] is of the contact groups.order[i]
+  std::vector<Pull> pulls;                // pulls[i] is of the contact groups.order[i]
+  std::vector<std::size_t> at_colliders;  // those with a collider or a plane
 };
 
 Response begin_response(const ContactGeometry& geometry, const std::vector<Contact>& contacts,
