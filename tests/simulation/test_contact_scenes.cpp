@@ -34,14 +34,10 @@ TEST(ContactScenes, ASheetThatFoldsOverItselfNeverIntersects) {
   }
 }
 
-// A ball that is sent through a pinned sheet at 25 m/s, and stops at a key while the sheet holds it up.
+// A ball that is sent at 25 m/s against a sheet that cannot give way, and would stop at a key behind it.
 TEST(ContactScenes, ABallThatIsHeldUpIsWhereItsClockSays) {
   SimulationInput input = simulate_alone(standing_sheet(0.3, 12, 0.2));
-  for (const Vec3& p : input.cloths[0].start_positions) {
-    const int v = static_cast<int>(&p - input.cloths[0].start_positions.data());
-    input.cloths[0].pins.push_back({{v}});
-  }
-  input.cloths[0].pins.resize(40);
+  for (int v = 0; v < 144; ++v) input.cloths[0].pins.push_back({{v}});
   ColliderInput ball{"ball", SphereShape{0.05}, {}, 0.3};
   ball.motion.at = Vec3(0, 0.35, -0.3);
   ball.motion.translate[2] = {{0.0, 0.0}, {0.0204, 0.5}};  // no multiple of the step
