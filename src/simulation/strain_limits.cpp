@@ -31,8 +31,8 @@ Strains strains_of(const Sheet& sheet, const Edge& edge, int triangle) {
   const Vec2 direction(cosine,
                        std::sqrt(1 - cosine * cosine));  // a weave is the same on both sides of its warp
   const double pulled = tension * compliance_along(membrane_tensor(material, Vec2::UnitX()), direction);
-  const double stretch = material.strain_limit > 0 ? material.strain_limit : std::max(least_stretch, pulled);
-  return {stretch, std::min(1.0, std::max(least_compression, pulled))};
+  const double limit = material.strain_limit > 0 ? material.strain_limit : std::max(least_stretch, pulled);
+  return {limit, std::clamp(limit, least_compression, 1.0)};
 }
 
 // The tighter ones of the triangles on both sides.
