@@ -158,13 +158,21 @@ static void show_worst(const Frames& frames, const std::vector<FrameCertificate>
   note(console, "picture of the faces at fault: " + picture.string());
 }
 
+static std::string ending(const CertificateSummary& summary, const std::vector<FactResult>& facts) {
+  const auto failed = std::count_if(facts.begin(), facts.end(), [](const FactResult& f) { return !f.holds; });
+  if (failed == 0) return verdict(summary);
+  return fmt::format("{}, but {} of the {} facts of the scene's `test` fail", verdict(summary), failed,
+                     facts.size());
+}
+
 static int report(const Frames& frames, const Options& options, const Console& console) {
   const ThreadLimit limit(options.threads);
   const std::vector<FrameCertificate> certificates = certify_all(frames, console);
   const CertificateSummary summary = summarize(certificates);
   const std::vector<FactResult> facts = frames.check_facts(certificates);
-  print_result(options.as_json ? to_json(summary, certificates, facts)
-                               : certificate_table(certificates) + fact_table(facts) + verdict(summary));
+  print_result(options.as_json
+                   ? to_json(summary, certificates, facts)
+                   : certificate_table(certificates) + fact_table(facts) + ending(summary, facts));
   show_worst(frames, certificates, console);
   const bool facts_hold =
       std::all_of(facts.begin(), facts.end(), [](const FactResult& f) { return f.holds; });

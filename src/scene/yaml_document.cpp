@@ -195,7 +195,7 @@ std::string in_plain_words(const std::string& message) {
 }
 
 std::string syntax_message(std::string_view text, const YAML::Exception& error) {
-  if (error.mark.pos > static_cast<int>(text.size())) return "not YAML: a quote is not closed";
+  if (error.mark.pos > static_cast<int>(text.size())) return "not YAML: a quote or a bracket is not closed";
   if (tab_indents(text, error.mark.line + 1))
     return "not YAML: a tab indents this line; YAML takes spaces only";
   return "not YAML: " + in_plain_words(error.msg);
