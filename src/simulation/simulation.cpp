@@ -34,7 +34,9 @@ const SimulationInput& Simulation::input() const { return parts_->world.input; }
 int Simulation::steps_per_frame() const { return parts_->world.steps_per_frame; }
 
 FrameStatistics Simulation::advance_frame() {
-  auto& [world, state, scratch] = *parts_;
+  World& world = parts_->world;
+  State& state = parts_->state;
+  Scratch& scratch = parts_->scratch;
   Profile profile;
   ContactStepResult last;
   int limited = 0;
