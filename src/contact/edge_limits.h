@@ -19,9 +19,9 @@ struct EdgeLimits {
 };
 
 // Contact moves points and not cloth: one that is pushed aside alone leaves its edges too long on one side
-// and too short on the other; and what one elastic sweep leaves undone stretches edges where cloth whips. Here
-// the cloth around takes its share, in up to five Gauss-Seidel sweeps that keep both momenta (after Provot
-// 1995, Deformation Constraints in a Mass-Spring Model). Vertices of inverse mass 0 stay.
+// and too short on the other; and what one elastic sweep leaves undone stretches edges where cloth whips.
+// Here the cloth around takes its share, in up to five Gauss-Seidel sweeps that keep both momenta (after
+// Provot 1995, Deformation Constraints in a Mass-Spring Model). Vertices of inverse mass 0 stay.
 void pull_within_limits(const EdgeLimits& limits, const std::vector<double>& inverse_masses,
                         std::vector<Vec3>& x);
 

@@ -111,7 +111,8 @@ constexpr Key cloth_keys[] = {
     numbers("cloths.*.material.warp", 3, {plain, -1000, 1000},
             "[x, y, z]: its direction in the unplaced shape"),
     number("cloths.*.material.damping", time, 0, 10, "stress at a rate of strain, over that at the strain"),
-    number("cloths.*.material.strain_limit", plain, 0, 10, "edges stretch by hardly more; 0: 2 %, or what 400 N/m do"),
+    number("cloths.*.material.strain_limit", plain, 0, 10,
+           "edges stretch by hardly more; 0: 2 %, or what 400 N/m do"),
     number("cloths.*.material.friction", plain, 0, 10, "Coulomb's coefficient"),
 
     numbers("cloths.*.velocity", 3, {speed, -100, 100}, "[x, y, z] at the start"),

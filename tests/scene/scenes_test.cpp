@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 
 static fs::path scenes_folder() { return fs::path(DRAPE_SOURCE_DIR) / "scenes"; }
 
-// Those of the folder, of scenes/paper and of scenes/contact; scenes/materials and the walker have only parts to
-// include.
+// Those of the folder, of scenes/paper and of scenes/contact; scenes/materials and the walker have only parts
+// to include.
 static std::vector<std::string> scenes() {
   std::vector<std::string> names;
   for (const fs::path folder : {".", "paper", "contact"})
