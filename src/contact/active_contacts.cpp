@@ -143,12 +143,14 @@ void find_active_pairs(const NarrowPhase& phase, Proximity& proximity, std::vect
       });
 }
 
-// A vertex at or under its thickness over the plane, at the step's end.
+// A vertex that is near the plane at the step's end. Not at or under its thickness alone: other contacts may
+// push it down, and the plane has no other say in this step.
 static void add_plane_contact(const NarrowPhase& phase, const ContactPlane& plane, const ContactBody& cloth,
                               int v, std::vector<Contact>& contacts) {
+  constexpr double reach = 1.5;
   const BodyMotion& motion = phase.bodies[plane.body];
   const Vec3 up_start = motion.start.rotation.col(1), up_end = motion.end.rotation.col(1);
-  if (up_end.dot(phase.motion.end[v] - motion.end.translation) > cloth.thickness) return;
+  if (up_end.dot(phase.motion.end[v] - motion.end.translation) > reach * cloth.thickness) return;
   const double start_height = up_start.dot(phase.motion.start[v] - motion.start.translation);
   const double offset = up_end.dot(motion.end.translation);
   Contact contact{};

@@ -41,7 +41,7 @@ struct NarrowPhase {
 // too far are passed over. The lists must be up to date with this motion. What `contacts` held is lost.
 void find_active_pairs(const NarrowPhase& phase, Proximity& proximity, std::vector<Contact>& contacts);
 
-// Appends vertices within their thickness of a plane at the step's end.
+// Appends vertices within one and a half times their thickness of a plane at the step's end.
 void find_plane_contacts(const NarrowPhase& phase, std::vector<Contact>& contacts);
 
 }  // namespace drape

@@ -15,8 +15,8 @@ struct ContactSettings {
   double largest_thickness = 0;
   double least_gap = 1e-5;  // m: what the fail-safe keeps
   bool fail_safe = true;
-  double healing = 0;           // share of the thickness by which old overlap may heal in a step
-  EdgeLimits edge_limits = {};  // these go before contact of cloth with cloth, which has a thickness to give
+  double healing = 0;  // share of the thickness by which old overlap may heal in a step
+  EdgeLimits edge_limits = {};
 };
 // From the cloths' mean edge length and thickness, and the step in seconds.
 ContactSettings contact_settings(const ContactGeometry& geometry, double step);

@@ -184,13 +184,16 @@ void push_apart(Response& response, std::vector<Vec3>& x) {
   sweep_points(most_pushes, 0, visit, response, x);
 }
 
-void keep_off_colliders(double thickness, const Response& response, std::vector<Vec3>& x) {
-  bool moved = true;
+bool keep_off_colliders(double thickness, const Response& response, std::vector<Vec3>& x) {
+  bool moved_any = false, moved = true;
   for (int sweep = 0; sweep < most_sweeps && moved; ++sweep) {
-    moved = false;
+    double farthest = 0;
     for (const std::size_t i : response.at_colliders)
-      moved |= keep_off(response.pulls[i], x) > settled * thickness;
+      farthest = std::max(farthest, keep_off(response.pulls[i], x));
+    moved_any |= farthest > 0;
+    moved = farthest > settled * thickness;
   }
+  return moved_any;
 }
 
 std::vector<Vec3> pushed_ways(const Response& response, const std::vector<Vec3>& end) {

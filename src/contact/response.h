@@ -37,17 +37,17 @@ Response begin_response(const ContactGeometry& geometry, const std::vector<Conta
 // Moves the step's end positions x so that every contact keeps its target: iterated, local,
 // momentum-conserving pulls (after Spillmann and Teschner 2008), as projected Gauss-Seidel on the accumulated
 // impulses, with Coulomb friction against the way since the start. A group is settled when a sweep moves none
-// of its contacts by more than a hundredth of `thickness` (metres). A second call goes on from the impulses
-// of the first. What the pulls bring nearer to each other is not found here.
+// of its contacts by more than a hundredth of `thickness` (metres). What the pulls bring
+// nearer to each other is not found here.
 void resolve_contacts(double thickness, Response& response, std::vector<Vec3>& x);
 
 // Afterwards: moves overlapping sides a little way apart, positions only.
 void push_apart(Response& response, std::vector<Vec3>& x);
 
 // When other constraints have moved points after that: contacts with colliders keep their target and their
-// push again, along their normals. A collider goes on, whatever cloth would like; cloth has a thickness to
-// give.
-void keep_off_colliders(double thickness, const Response& response, std::vector<Vec3>& x);
+// push again, along their normals. Returns whether that moved any. A collider goes on, whatever cloth would
+// like; cloth has a thickness to give.
+bool keep_off_colliders(double thickness, const Response& response, std::vector<Vec3>& x);
 
 // What of the vertices' ways from the start to `end` was such a push and must not go into the velocities, in
 // m: of each contact as much as its sides have really parted. Where something pushes them together again, the

@@ -44,13 +44,20 @@ static Mat3 inverse_root(const Mat3& tensor) {
   return eigen.vectors * eigen.values.cwiseSqrt().cwiseInverse().asDiagonal() * eigen.vectors.transpose();
 }
 
+// Strains (along, across, angle) of a strain of 1 along the direction.
+static Vec3 strain_along(const Vec2& d) { return {d.x() * d.x(), d.y() * d.y(), d.x() * d.y()}; }
+
+double strip_stiffness(const Mat3& compliance, const Vec2& direction) {
+  const Vec3 strain = strain_along(direction);
+  return 1 / strain.dot(compliance * strain);
+}
+
 BarSplit split_into_bars(const Mat3& tensor, const std::array<Vec2, 3>& directions) {
   const Mat3 compliance = tensor.inverse();
   BarSplit split{{}, Mat3::Zero()};
   for (int i = 0; i < 3; ++i) {
-    const Vec2& d = directions[i];
-    const Vec3 strain(d.x() * d.x(), d.y() * d.y(), d.x() * d.y());
-    split.bars[i] = 1 / strain.dot(compliance * strain);
+    const Vec3 strain = strain_along(directions[i]);
+    split.bars[i] = strip_stiffness(compliance, directions[i]);
     split.rest += split.bars[i] * strain * strain.transpose();
   }
   // The bars times 1 / (largest eigenvalue of C^-1 bars) would leave a tensor that is only semidefinite.

@@ -14,6 +14,9 @@ Mat3 membrane_tensor(const ElasticMaterial& material, const Vec2& warp);
 // The same for bending: 1/2 k^T D k with the curvatures k = (along, across, twice the twist), D in N m.
 Mat3 bending_tensor(const ElasticMaterial& material, const Vec2& warp);
 
+// In N/m, of a strip along the unit direction d that is free at its sides: 1 / (d^T C^-1 d). Takes C^-1.
+double strip_stiffness(const Mat3& compliance, const Vec2& direction);
+
 // A membrane as bars along three directions and what is left of it.
 struct BarSplit {
   std::array<double, 3> bars;  // N/m: each bar stores 1/2 bars[i] (strain along direction i)2 per area

@@ -40,13 +40,13 @@ FrameStatistics Simulation::advance_frame() {
   Profile profile;
   ContactStepResult last;
   int limited = 0;
-  const long first_step = static_cast<long>(state.frame) * world.steps_per_frame;
   const double start = state.frame * world.input.frame_duration;
   update_pins(world, start);
   grab(world.pins, start, state);
   start_seams(world.seams, start, state.positions, state.seam_lengths);
   for (int i = 1; i <= world.steps_per_frame; ++i) {
-    const double time = static_cast<double>(first_step + i) * world.step;
+    const double frames = state.frame + static_cast<double>(i) / world.steps_per_frame;
+    const double time = frames * world.input.frame_duration;
     if ((i - 1) % world.steps_per_air == 0)
       timed(profile, Phase::elastic, [&] {
         feel_air(world, time - world.step, state.positions, state.velocities, scratch.air_forces);

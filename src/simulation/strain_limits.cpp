@@ -12,13 +12,6 @@ namespace {
 constexpr double least_stretch = 0.02, least_compression = 0.05;
 constexpr double tension = 400;  // N/m
 
-// What a tension of 1 N/m along `direction` does along it, in m/N.
-double compliance_along(const Mat3& tensor, const Vec2& direction) {
-  const double c = direction.x(), s = direction.y();
-  const Vec3 strain(c * c, s * s, c * s);
-  return strain.dot(tensor.inverse() * strain);
-}
-
 // Shares of an edge's length.
 struct Strains {
   double stretch, compression;
@@ -28,9 +21,10 @@ Strains strains_of(const Sheet& sheet, const Edge& edge, int triangle) {
   const ElasticMaterial& material = material_of(sheet, triangle);
   const Vec3 along = sheet.rest_positions[edge.vertices[1]] - sheet.rest_positions[edge.vertices[0]];
   const double cosine = std::clamp(along.normalized().dot(warp_in_plane(sheet, triangle)), -1.0, 1.0);
-  const Vec2 direction(cosine,
-                       std::sqrt(1 - cosine * cosine));  // a weave is the same on both sides of its warp
-  const double pulled = tension * compliance_along(membrane_tensor(material, Vec2::UnitX()), direction);
+  // The sign of the sine says nothing: a weave is the same on both sides of its warp.
+  const Vec2 direction(cosine, std::sqrt(1 - cosine * cosine));
+  const Mat3 compliance = membrane_tensor(material, Vec2::UnitX()).inverse();
+  const double pulled = tension / strip_stiffness(compliance, direction);
   const double limit = material.strain_limit > 0 ? material.strain_limit : std::max(least_stretch, pulled);
   return {limit, std::clamp(limit, least_compression, 1.0)};
 }
