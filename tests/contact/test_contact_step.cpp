@@ -52,6 +52,14 @@ TEST(ContactStep, ContactsThatTheResponseMakesAreResolvedInTheSameStep) {
   }
 }
 
+TEST(ContactStep, WhatOthersPushOnAPlaneKeepsItsThicknessOverIt) {
+  Scene scene = layers({0.012, 0.03});
+  scene.add_plane();
+  lower(scene, 1, 0.02);
+  advance(scene);
+  for (int i = 0; i < 3; ++i) EXPECT_GT(scene.end[i].y(), 0.98 * thickness);
+}
+
 TEST(ContactStep, WhereNothingCanGiveWayTheFailSafeHoldsIt) {
   Scene scene = layers({0, 0.03});
   for (double& inverse_mass : scene.geometry.inverse_masses) inverse_mass = 0;
