@@ -54,6 +54,7 @@ Contact make_contact(const NarrowPhase& phase, const ContactPair& pair, const Cl
                      double start_distance) {
   Contact contact{};
   contact.kind = static_cast<int>(pair.kind);
+  contact.meets_collider = pair.meets_collider;
   contact.vertices = pair.vertices;
   contact.weights = closest.weights;
   contact.normal = closest.difference / closest.distance;
@@ -112,7 +113,7 @@ void examine_pair(const NarrowPhase& phase, const Moment& moment, const ContactP
   };
   if (stays_away()) return;
   const ClosestPoints at_start = closest_points(pair.kind, start);
-  expiry = expiry_of(pair, moment.travelled, at_start.distance);
+  expiry = expiry_of(pair.radius, pair.thickness, moment.travelled, at_start.distance);
   if (stays_away()) return;
   const auto closest = contact_place(phase, pair, start, at_start);
   if (!closest || counted_elsewhere(pair, *closest) || !(closest->distance > 0)) return;
@@ -124,8 +125,8 @@ void examine_pairs(const NarrowPhase& phase, const Moment& moment, PatchPair& pa
   const double travelled = moment.travelled + moment.way_in_step;
   if (travelled < patches.next_contact) return;
   for (std::size_t i = 0; i < patches.pairs.size(); ++i)
-    if (travelled >= patches.expiries[i])
-      examine_pair(phase, moment, patches.pairs[i], patches.expiries[i], out);
+    if (travelled >= patches.pairs[i].expiry)
+      examine_pair(phase, moment, contact_pair(patches, i), patches.pairs[i].expiry, out);
   update_next(patches);
 }
 
@@ -143,18 +144,15 @@ void find_active_pairs(const NarrowPhase& phase, Proximity& proximity, std::vect
       });
 }
 
-// A vertex that is near the plane at the step's end. Not at or under its thickness alone: other contacts may
-// push it down, and the plane has no other say in this step.
-static void add_plane_contact(const NarrowPhase& phase, const ContactPlane& plane, const ContactBody& cloth,
-                              int v, std::vector<Contact>& contacts) {
-  constexpr double reach = 1.5;
+static Contact make_plane_contact(const NarrowPhase& phase, const ContactPlane& plane,
+                                  const ContactBody& cloth, int v) {
   const BodyMotion& motion = phase.bodies[plane.body];
   const Vec3 up_start = motion.start.rotation.col(1), up_end = motion.end.rotation.col(1);
-  if (up_end.dot(phase.motion.end[v] - motion.end.translation) > reach * cloth.thickness) return;
   const double start_height = up_start.dot(phase.motion.start[v] - motion.start.translation);
   const double offset = up_end.dot(motion.end.translation);
   Contact contact{};
   contact.kind = first_plane_kind + plane.body;
+  contact.meets_collider = true;
   contact.vertices = {v, v, v, v};
   contact.weights = {1, 0, 0, 0};
   contact.normal = up_end;
@@ -162,14 +160,26 @@ static void add_plane_contact(const NarrowPhase& phase, const ContactPlane& plan
   contact.push_target = offset + healed_distance(phase, cloth.thickness, start_height);
   contact.friction = pair_friction(phase.geometry, phase.geometry.vertex_body[v], plane.body);
   contact.turn = -rigid_displacement(motion, phase.motion.start[v]);
-  contacts.push_back(contact);
+  return contact;
+}
+
+// Vertices that are near the plane at the step's end. Not at or under their thickness alone: other contacts
+// may push them down, and the plane has no other say in this step.
+static void add_plane_contacts(const NarrowPhase& phase, const ContactPlane& plane, const ContactBody& cloth,
+                               std::vector<Contact>& contacts) {
+  constexpr double reach = 1.5;
+  const RigidPose& pose = phase.bodies[plane.body].end;
+  const Vec3 up = pose.rotation.col(1);
+  const double highest = up.dot(pose.translation) + reach * cloth.thickness;
+  for (int v = cloth.vertex_begin; v < cloth.vertex_end; ++v)
+    if (up.dot(phase.motion.end[v]) <= highest && phase.geometry.inverse_masses[v] > 0)
+      contacts.push_back(make_plane_contact(phase, plane, cloth, v));
 }
 
 void find_plane_contacts(const NarrowPhase& phase, std::vector<Contact>& contacts) {
   for (const ContactPlane& plane : phase.geometry.planes)
     for (const ContactBody& body : phase.geometry.bodies)
-      for (int v = body.vertex_begin; body.is_cloth && v < body.vertex_end; ++v)
-        if (phase.geometry.inverse_masses[v] > 0) add_plane_contact(phase, plane, body, v, contacts);
+      if (body.is_cloth) add_plane_contacts(phase, plane, body, contacts);
 }
 
 }  // namespace drape

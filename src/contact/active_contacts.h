@@ -14,6 +14,7 @@ constexpr int first_plane_kind = 2;  // after those of pairs
 // stay `target` apart at the step's end.
 struct Contact {
   int kind;  // of its pair, or first_plane_kind + the plane's body: with the vertices, which contact it is
+  bool meets_collider;  // or a plane
   std::array<int, 4> vertices;
   std::array<double, 4> weights;  // a vertex that plays no part has 0
   Vec3 normal;                    // unit, from the second side to the first
@@ -37,8 +38,9 @@ struct NarrowPhase {
 };
 
 // The listed pairs that come within their thickness on the way, each at the first time that they do (section
-// 5 of the paper: collisions are detected on the future positions); in no order. Pairs that are known to be
-// too far are passed over. The lists must be up to date with this motion. What `contacts` held is lost.
+// 5 of the paper: collisions are detected on the future positions). Pairs that are known to be too far are
+// passed over. The lists must be up to date with this motion; the order of the contacts is that of the
+// patches and their primitives, whenever the lists were made. What `contacts` held is lost.
 void find_active_pairs(const NarrowPhase& phase, Proximity& proximity, std::vector<Contact>& contacts);
 
 // Appends vertices within one and a half times their thickness of a plane at the step's end.

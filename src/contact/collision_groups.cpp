@@ -62,21 +62,6 @@ std::vector<std::size_t> sort_into_bins(std::size_t bins, const BinOf& bin_of, s
   return begin;
 }
 
-// By kind and vertices: which list a contact comes from and when that was made must not matter.
-std::vector<int> in_order(const ContactGeometry& geometry, const std::vector<Contact>& contacts) {
-  std::vector<int> order(contacts.size());
-  std::iota(order.begin(), order.end(), 0);
-  const std::vector<std::size_t> begin = sort_into_bins(
-      geometry.vertex_body.size(), [&](int i) { return contacts[i].vertices[0]; }, std::span(order));
-  for (std::size_t v = 0; v + 1 < begin.size(); ++v)
-    std::sort(order.begin() + static_cast<std::ptrdiff_t>(begin[v]),
-              order.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]),
-              [&](int a, int b) { return contacts[a].vertices < contacts[b].vertices; });
-  sort_into_bins(
-      first_plane_kind + geometry.bodies.size(), [&](int i) { return contacts[i].kind; }, std::span(order));
-  return order;
-}
-
 // Contacts that follow each other share vertices, and a processor would have to wait for the one before it
 // takes up the next: far ones come between.
 void spread(std::span<int> part) {
@@ -94,15 +79,20 @@ struct Slabs {
   std::array<double, parts_of_large - 1> cuts;
 };
 
-Vec3 place_of(const Contact& contact, const std::vector<Vec3>& positions) {
-  return positions[contact.vertices[0]];
+// Where some of the group's contacts are: enough to cut it into parts of about the same size.
+std::vector<Vec3> sample_places(const std::vector<Vec3>& positions, const std::vector<Contact>& contacts,
+                                std::span<const int> group) {
+  constexpr std::size_t stride = 16;
+  std::vector<Vec3> places;
+  places.reserve(group.size() / stride + 1);
+  for (std::size_t k = 0; k < group.size(); k += stride)
+    places.push_back(positions[contacts[group[k]].vertices[0]]);
+  return places;
 }
 
-int longest_axis(const std::vector<Vec3>& positions, const std::vector<Contact>& contacts,
-                 std::span<const int> group) {
-  Vec3 lower = place_of(contacts[group.front()], positions), upper = lower;
-  for (const int i : group) {
-    const Vec3 place = place_of(contacts[i], positions);
+int longest_axis(const std::vector<Vec3>& places) {
+  Vec3 lower = places.front(), upper = lower;
+  for (const Vec3& place : places) {
     lower = lower.cwiseMin(place);
     upper = upper.cwiseMax(place);
   }
@@ -111,48 +101,46 @@ int longest_axis(const std::vector<Vec3>& positions, const std::vector<Contact>&
   return axis;
 }
 
-Slabs find_slabs(const std::vector<Vec3>& positions, const std::vector<Contact>& contacts,
-                 std::span<const int> group) {
-  Slabs slabs{longest_axis(positions, contacts, group), {}};
-  std::vector<double> places;
-  for (const int i : group) places.push_back(place_of(contacts[i], positions)[slabs.axis]);
-  auto from = places.begin();
-  for (std::size_t cut = 0; cut < slabs.cuts.size(); ++cut) {
-    const auto at = places.begin() + static_cast<std::ptrdiff_t>((cut + 1) * places.size() / parts_of_large);
-    std::nth_element(from, at, places.end());
-    slabs.cuts[cut] = *at;
-    from = at;
-  }
+Slabs find_slabs(const std::vector<Vec3>& places) {
+  Slabs slabs{longest_axis(places), {}};
+  std::vector<double> along;
+  for (const Vec3& place : places) along.push_back(place[slabs.axis]);
+  std::sort(along.begin(), along.end());
+  for (std::size_t cut = 0; cut < slabs.cuts.size(); ++cut)
+    slabs.cuts[cut] = along[(cut + 1) * along.size() / parts_of_large];
   return slabs;
 }
 
-std::size_t slab_of(const Slabs& slabs, double place) {
-  std::size_t slab = 0;
-  for (const double cut : slabs.cuts) slab += place >= cut;
-  return slab;
+using PartNumber = unsigned char;
+
+// The slab of each vertex.
+std::vector<PartNumber> slabs_of(const Slabs& slabs, const std::vector<Vec3>& positions) {
+  std::vector<PartNumber> result(positions.size());
+  parallel_for_each(positions.size(), 4096, [&](std::size_t v) {
+    const double place = positions[v][slabs.axis];
+    for (const double cut : slabs.cuts)
+      if (place >= cut) ++result[v];
+  });
+  return result;
 }
 
-bool is_in(const Slabs& slabs, std::size_t slab, double place) {
-  return (slab == 0 || place >= slabs.cuts[slab - 1]) &&
-         (slab == slabs.cuts.size() || place < slabs.cuts[slab]);
-}
-
-// The part of the contact, or parts_of_large where its moving vertices are not all of one.
-std::size_t part_of(const ContactGeometry& geometry, const std::vector<Vec3>& positions, const Slabs& slabs,
-                    const Contact& contact) {
-  const std::size_t slab = slab_of(slabs, place_of(contact, positions)[slabs.axis]);
-  bool within = true;
-  for_each_moving(geometry, contact, [&](int v) { within &= is_in(slabs, slab, positions[v][slabs.axis]); });
-  return within ? slab : parts_of_large;
+// The slab that all its moving vertices are in, or parts_of_large.
+PartNumber part_of(const ContactGeometry& geometry, const std::vector<PartNumber>& slabs,
+                   const Contact& contact) {
+  PartNumber part = slabs[contact.vertices[0]];
+  for_each_moving(geometry, contact, [&](int v) {
+    if (slabs[v] != part) part = parts_of_large;
+  });
+  return part;
 }
 
 CollisionGroup cut_group(const ContactGeometry& geometry, const std::vector<Vec3>& positions,
                          const std::vector<Contact>& contacts, std::size_t begin, std::span<int> group) {
-  const Slabs slabs = find_slabs(positions, contacts, group);
-  std::vector<unsigned char> parts(contacts.size());
+  const std::vector<PartNumber> slabs =
+      slabs_of(find_slabs(sample_places(positions, contacts, group)), positions);
+  std::vector<PartNumber> parts(contacts.size());
   parallel_for_each(group.size(), 512, [&](std::size_t k) {
-    const Contact& contact = contacts[group[k]];
-    parts[group[k]] = static_cast<unsigned char>(part_of(geometry, positions, slabs, contact));
+    parts[group[k]] = part_of(geometry, slabs, contacts[group[k]]);
   });
   std::vector<std::size_t> bins = sort_into_bins(
       parts_of_large + 1, [&](int i) { return parts[i]; }, group);
@@ -168,7 +156,8 @@ CollisionGroups group_contacts(const ContactGeometry& geometry, const std::vecto
                                const std::vector<Contact>& contacts) {
   if (contacts.empty()) return {};
   const std::vector<int> roots = find_roots(geometry, contacts);
-  CollisionGroups result{in_order(geometry, contacts), {}};
+  CollisionGroups result{std::vector<int>(contacts.size()), {}};
+  std::iota(result.order.begin(), result.order.end(), 0);
   const std::vector<std::size_t> begin = sort_into_bins(
       geometry.vertex_body.size() + 1, [&](int i) { return roots[i] + 1; }, std::span(result.order));
   for (std::size_t root = 0; root + 1 < begin.size(); ++root) {

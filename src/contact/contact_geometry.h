@@ -43,6 +43,7 @@ struct ContactGeometry {
 struct ContactPair {
   std::array<int, 4> vertices;
   PairKind kind;
+  bool meets_collider;
   bool counts_edge_ends;  // an edge of no triangle: its closest points at edge ends are nobody else's
   double thickness;       // m, between the surfaces
   double radius;  // m: of rounded colliders; the closest points are farther apart by it than the surfaces

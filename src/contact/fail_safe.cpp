@@ -1,7 +1,6 @@
 #include "contact/fail_safe.h"
 
 #include <algorithm>
-#include <tuple>
 
 #include "contact/conservative_advancement.h"
 #include "core/parallel.h"
@@ -117,8 +116,7 @@ double kept_gap(const Work& work, const ContactPair& pair, double distance) {
   return std::min(pair.radius + work.least_gap, distance);
 }
 
-// The listed pairs that may come close in this step at all, wherever their vertices stop; in the order of
-// their kinds and vertices, whatever list they are in.
+// The listed pairs that may come close in this step at all, wherever their vertices stop.
 std::vector<ContactPair> pairs_at_risk(const Work& work, const Proximity& proximity) {
   std::vector<ContactPair> risky;
   constexpr std::size_t block = 256;
@@ -130,13 +128,10 @@ std::vector<ContactPair> pairs_at_risk(const Work& work, const Proximity& proxim
                                           2 * work.least_gap;
                        if (way < patches.next_collision) continue;
                        for (std::size_t i = 0; i < patches.pairs.size(); ++i)
-                         if (way >= patches.expiries[i] + patches.pairs[i].thickness)
-                           out.push_back(patches.pairs[i]);
+                         if (way >= patches.pairs[i].expiry + patches.pairs[i].thickness)
+                           out.push_back(contact_pair(patches, i));
                      }
                    });
-  std::sort(risky.begin(), risky.end(), [](const ContactPair& a, const ContactPair& b) {
-    return std::tie(a.kind, a.vertices) < std::tie(b.kind, b.vertices);
-  });
   return risky;
 }
 

@@ -20,8 +20,6 @@ struct Listing {
   const std::vector<Vec3>& x;
   double margin;
   double reach;  // of the two bodies, with the margin
-  double radius, friction;
-  bool bare_edges;
   PatchPair& pair;
 };
 
@@ -58,12 +56,11 @@ void add_pair(const Listing& listing, PairKind kind, const std::array<int, 4>& v
   const double distance = closest_points(kind, gather(listing.x, vertices)).distance;
   if (distance > listing.reach) return;
   const double thickness = pair_thickness(listing.geometry, kind, vertices);
-  const ContactPair pair{vertices, kind, listing.bare_edges, thickness, listing.radius, listing.friction};
-  const double expiry = expiry_of(pair, listing.pair.travelled, distance);
-  if (expiry > listing.pair.travelled + listing.margin) return;
-  listing.pair.pairs.push_back(pair);
-  listing.pair.expiries.push_back(expiry);
-  listing.pair.least_thickness = std::min(listing.pair.least_thickness, thickness);
+  PatchPair& list = listing.pair;
+  const double expiry = expiry_of(list.radius, thickness, list.travelled, distance);
+  if (expiry > list.travelled + listing.margin) return;
+  list.pairs.push_back({vertices, thickness, expiry});
+  list.least_thickness = std::min(list.least_thickness, thickness);
 }
 
 void list_point_triangle(const Listing& listing, const Boxed& points, const Boxed& triangles) {
@@ -91,6 +88,7 @@ void list_edge_edge(const Listing& listing, const Boxed& first, const Boxed& sec
 
 void list_within(const Listing& listing, const Patch& patch, const Bounds& box) {
   list_point_triangle(listing, select_points(listing, patch, box), select_triangles(listing, patch, box));
+  listing.pair.edges_begin = listing.pair.pairs.size();
   const Boxed edges = select_edges(listing, patch, box);
   list_edge_edge(listing, edges, edges, true);
 }
@@ -99,6 +97,7 @@ void list_between(const Listing& listing, const Patch& a, const Bounds& box_a, c
                   const Bounds& box_b) {
   list_point_triangle(listing, select_points(listing, a, box_b), select_triangles(listing, b, box_a));
   list_point_triangle(listing, select_points(listing, b, box_a), select_triangles(listing, a, box_b));
+  listing.pair.edges_begin = listing.pair.pairs.size();
   list_edge_edge(listing, select_edges(listing, a, box_b), select_edges(listing, b, box_a), false);
 }
 
@@ -115,13 +114,21 @@ double contact_reach(const ContactGeometry& geometry, int body_a, int body_b) {
          (1 + arrival_share) * largest_thickness(geometry, body_a, body_b) + rounding;
 }
 
-double expiry_of(const ContactPair& pair, double travelled, double distance) {
-  return travelled + distance - pair.radius - (1 + arrival_share) * pair.thickness - rounding;
+ContactPair contact_pair(const PatchPair& patches, std::size_t i) {
+  const PairKind kind = i < patches.edges_begin ? PairKind::point_triangle : PairKind::edge_edge;
+  const ListedPair& pair = patches.pairs[i];
+  return {pair.vertices,  kind,           patches.meets_collider, patches.counts_edge_ends,
+          pair.thickness, patches.radius, patches.friction};
+}
+
+double expiry_of(double radius, double thickness, double travelled, double distance) {
+  return travelled + distance - radius - (1 + arrival_share) * thickness - rounding;
 }
 
 void update_next(PatchPair& patches) {
   patches.next_contact = std::numeric_limits<double>::infinity();
-  for (const double expiry : patches.expiries) patches.next_contact = std::min(patches.next_contact, expiry);
+  for (const ListedPair& pair : patches.pairs)
+    patches.next_contact = std::min(patches.next_contact, pair.expiry);
   patches.next_collision = patches.next_contact + patches.least_thickness;
 }
 
@@ -131,18 +138,14 @@ void list_pairs(const ContactGeometry& geometry, const std::vector<Patch>& patch
   const double reach = contact_reach(geometry, a.body, b.body);
   const Bounds box_a = bounds_of(x, a.vertices), box_b = bounds_of(x, b.vertices);
   pair.pairs.clear();
-  pair.expiries.clear();
+  pair.edges_begin = 0;
   pair.least_thickness = std::numeric_limits<double>::infinity();
   pair.valid_until = pair.travelled + std::max(margin, distance_of(box_a, box_b) - reach);
-  const bool bare_edges = has_bare_edges(geometry.bodies[a.body]) || has_bare_edges(geometry.bodies[b.body]);
-  const Listing listing{geometry,
-                        x,
-                        margin,
-                        reach + margin,
-                        pair_radius(geometry, a.body, b.body),
-                        pair_friction(geometry, a.body, b.body),
-                        bare_edges,
-                        pair};
+  pair.meets_collider = !geometry.bodies[a.body].is_cloth || !geometry.bodies[b.body].is_cloth;
+  pair.counts_edge_ends = has_bare_edges(geometry.bodies[a.body]) || has_bare_edges(geometry.bodies[b.body]);
+  pair.radius = pair_radius(geometry, a.body, b.body);
+  pair.friction = pair_friction(geometry, a.body, b.body);
+  const Listing listing{geometry, x, margin, reach + margin, pair};
   if (pair.first == pair.second)
     list_within(listing, a, box_a);
   else if (near(box_a, box_b, listing.reach))

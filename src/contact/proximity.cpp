@@ -116,7 +116,7 @@ void append_partners(const ContactGeometry& geometry, const Proximity& proximity
     if (first <= second && may_touch(geometry, a, b)) partners.push_back(first);
   });
   std::sort(partners.begin(), partners.end());
-  for (const int first : partners) out.push_back({first, second, {}, {}});
+  for (const int first : partners) out.push_back({first, second, {}});
 }
 
 std::vector<PatchPair> near_patches(const ContactGeometry& geometry, const std::vector<Vec3>& x,

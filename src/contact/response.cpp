@@ -35,19 +35,15 @@ std::array<int, 4> vertices_that_count(const Contact& contact) {
   return vertices;
 }
 
-bool meets_collider(const ContactGeometry& geometry, const Contact& contact) {
-  const auto is_cloth = [&](int v) { return geometry.bodies[geometry.vertex_body[v]].is_cloth; };
-  return contact.kind >= first_plane_kind ||
-         !std::all_of(contact.vertices.begin(), contact.vertices.end(), is_cloth);
-}
-
 Pull make_pull(const ContactGeometry& geometry, const Contact& contact, const std::vector<Vec3>& start) {
-  Pull pull{};
+  Pull pull;
   pull.vertices = vertices_that_count(contact);
   pull.target = contact.target;
   pull.push_target = contact.push_target;
   pull.friction = contact.friction;
   pull.normal = padded(contact.normal);
+  pull.impulse = pull.push_impulse = pull.mobility = 0;
+  pull.friction_impulse.setZero();
   for (int i = 0; i < 4; ++i) {
     pull.weights[i] = contact.weights[i];
     pull.responses[i] = geometry.inverse_masses[contact.vertices[i]] * contact.weights[i];
@@ -165,11 +161,14 @@ constexpr double settled = 0.01;  // of the thickness
 Response begin_response(const ContactGeometry& geometry, const std::vector<Contact>& contacts,
                         const std::vector<Vec3>& start) {
   Response response{group_contacts(geometry, start, contacts), std::vector<Pull>(contacts.size()), {}};
-  parallel_for_each(contacts.size(), 512, [&](std::size_t i) {
-    response.pulls[i] = make_pull(geometry, contacts[response.groups.order[i]], start);
-  });
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    if (meets_collider(geometry, contacts[response.groups.order[i]])) response.at_colliders.push_back(i);
+  parallel_collect(contacts.size(), 512, response.at_colliders,
+                   [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& at_colliders) {
+                     for (std::size_t i = begin; i < end; ++i) {
+                       const Contact& contact = contacts[response.groups.order[i]];
+                       response.pulls[i] = make_pull(geometry, contact, start);
+                       if (contact.meets_collider) at_colliders.push_back(i);
+                     }
+                   });
   return response;
 }
 

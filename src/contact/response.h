@@ -11,6 +11,8 @@ namespace drape {
 
 // What the sweeps need of a contact. Vectors have a fourth component, which is 0.
 struct Pull {
+  Pull() {}  // nothing is cleared: there are many, and all of each is written
+
   std::array<int, 4> vertices;  // one that plays no part is another one again, with weight 0
   double mobility;              // how far the sides part under a unit impulse, in 1/kg; 0: nothing can move
   double effective_mass;        // its inverse

@@ -62,7 +62,10 @@ void parallel_collect(std::size_t count, std::size_t block_size, std::vector<Ite
   parallel_blocks(count, block_size, [&](std::size_t begin, std::size_t end, std::size_t block) {
     body(begin, end, parts[block]);
   });
+  std::size_t size = 0;
+  for (const auto& part : parts) size += part.size();
   result.clear();
+  result.reserve(size);
   for (const auto& part : parts) result.insert(result.end(), part.begin(), part.end());
 }
 
