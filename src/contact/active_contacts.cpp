@@ -1,6 +1,7 @@
 #include "contact/active_contacts.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "contact/conservative_advancement.h"
@@ -9,10 +10,11 @@
 namespace drape {
 namespace {
 
-// Old overlap heals only up to nine tenths of the thickness: a push that went all the way would meet the
-// elastic pull, which is velocity where the push is not, and a fold at rest would buzz.
+// Old overlap heals only up to half of the thickness. A push has no velocity, but what elastic forces
+// and weight press together again has: where they meet in every step, a pile at rest would buzz. What a
+// landing leaves of the thickness is mostly more than that.
 double healed_distance(const NarrowPhase& phase, double thickness, double distance) {
-  const double healed = std::min(0.9 * thickness, distance + phase.healing * thickness);
+  const double healed = std::min(0.5 * thickness, distance + phase.healing * thickness);
   return std::max(std::min(thickness, distance), healed);
 }
 
@@ -124,9 +126,11 @@ void examine_pairs(const NarrowPhase& phase, const Moment& moment, PatchPair& pa
                    std::vector<Contact>& out) {
   const double travelled = moment.travelled + moment.way_in_step;
   if (travelled < patches.next_contact) return;
+  const std::size_t found = out.size();
   for (std::size_t i = 0; i < patches.pairs.size(); ++i)
     if (travelled >= patches.pairs[i].expiry)
       examine_pair(phase, moment, contact_pair(patches, i), patches.pairs[i].expiry, out);
+  for (std::size_t i = found; i < out.size(); ++i) out[i].patches = {patches.second, patches.first};
   update_next(patches);
 }
 
@@ -153,6 +157,7 @@ static Contact make_plane_contact(const NarrowPhase& phase, const ContactPlane& 
   Contact contact{};
   contact.kind = first_plane_kind + plane.body;
   contact.meets_collider = true;
+  contact.patches = {std::numeric_limits<int>::max(), plane.body};
   contact.vertices = {v, v, v, v};
   contact.weights = {1, 0, 0, 0};
   contact.normal = up_end;

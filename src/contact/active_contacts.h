@@ -14,7 +14,8 @@ constexpr int first_plane_kind = 2;  // after those of pairs
 // stay `target` apart at the step's end.
 struct Contact {
   int kind;  // of its pair, or first_plane_kind + the plane's body: with the vertices, which contact it is
-  bool meets_collider;  // or a plane
+  bool meets_collider;         // or a plane
+  std::array<int, 2> patches;  // its second and its first, by which contacts are ordered; planes come after
   std::array<int, 4> vertices;
   std::array<double, 4> weights;  // a vertex that plays no part has 0
   Vec3 normal;                    // unit, from the second side to the first

@@ -139,9 +139,8 @@ CollisionGroup cut_group(const ContactGeometry& geometry, const std::vector<Vec3
   const std::vector<PartNumber> slabs =
       slabs_of(find_slabs(sample_places(positions, contacts, group)), positions);
   std::vector<PartNumber> parts(contacts.size());
-  parallel_for_each(group.size(), 512, [&](std::size_t k) {
-    parts[group[k]] = part_of(geometry, slabs, contacts[group[k]]);
-  });
+  parallel_for_each(group.size(), 512,
+                    [&](std::size_t k) { parts[group[k]] = part_of(geometry, slabs, contacts[group[k]]); });
   std::vector<std::size_t> bins = sort_into_bins(
       parts_of_large + 1, [&](int i) { return parts[i]; }, group);
   for (std::size_t p = 0; p + 1 < bins.size(); ++p) spread(group.subspan(bins[p], bins[p + 1] - bins[p]));

@@ -25,6 +25,7 @@ struct Step {
   const NarrowPhase& phase;
   const ContactSettings& settings;
   Proximity& proximity;
+  std::vector<HeldImpulse>& held;
   Profile& profile;
   std::vector<Vec3>& end;
 };
@@ -56,7 +57,9 @@ void keep_to_limits(const Step& step, const Response& response) {
 Response respond(const Step& step, const std::vector<Contact>& contacts) {
   return timed(step.profile, Phase::response, [&] {
     Response response = begin_response(step.phase.geometry, contacts, step.phase.motion.start);
+    start_with(recall_impulses(step.held, contacts), response, step.end);
     resolve_contacts(step.settings.largest_thickness, response, step.end);
+    step.held = hold_impulses(contacts, impulses_of(response));
     push_apart(response, step.end);
     keep_to_limits(step, response);
     return response;
@@ -120,18 +123,19 @@ ContactSettings contact_settings(const ContactGeometry& geometry, double step) {
 
 ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSettings& settings,
                                 const std::vector<BodyMotion>& bodies, const std::vector<Vec3>& start,
-                                Proximity& proximity, Profile& profile, std::vector<Vec3>& end) {
+                                Proximity& proximity, std::vector<HeldImpulse>& held, Profile& profile,
+                                std::vector<Vec3>& end) {
   const NarrowPhase phase{geometry, bodies, {start, end}, settings.healing};
-  const Step step{phase, settings, proximity, profile, end};
+  const Step step{phase, settings, proximity, held, profile, end};
   find_pairs(step);
   const std::vector<Contact> contacts = find_contacts(step);
   const Response response = respond(step, contacts);
-  const FailSafeResult held = settle(step);
+  const FailSafeResult reached = settle(step);
   ContactStepResult result;
   result.contacts = static_cast<int>(contacts.size());
   result.push = timed(profile, Phase::response, [&] { return pushed_ways(response, end); });
-  result.body_progress = held.body_progress;
-  result.limited_vertices = held.limited_vertices;
+  result.body_progress = reached.body_progress;
+  result.limited_vertices = reached.limited_vertices;
   timed(profile, Phase::broad, [&] { follow_motion(phase.motion, proximity); });
   return result;
 }

@@ -5,6 +5,7 @@
 #include "contact/active_contacts.h"
 #include "contact/contact_geometry.h"
 #include "contact/edge_limits.h"
+#include "contact/held_impulses.h"
 #include "contact/proximity.h"
 #include "core/profile.h"
 
@@ -30,8 +31,10 @@ struct ContactStepResult {
 
 // Section 5 of the paper: x** -> x(t+h). `end` comes with the elastic positions of the cloths and the aims of
 // the colliders, and leaves with what they reach. `proximity` is the last step's; a new one gives the same.
+// `held` is what held contacts in the last step, and leaves with what held them in this one.
 ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSettings& settings,
                                 const std::vector<BodyMotion>& bodies, const std::vector<Vec3>& start,
-                                Proximity& proximity, Profile& profile, std::vector<Vec3>& end);
+                                Proximity& proximity, std::vector<HeldImpulse>& held, Profile& profile,
+                                std::vector<Vec3>& end);
 
 }  // namespace drape

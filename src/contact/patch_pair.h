@@ -22,16 +22,16 @@ struct ListedPair {
 // to be looked at again, and when the list has to be made anew. What the patches have in common does not
 // count.
 struct PatchPair {
-  int first, second;  // patches, first <= second
+  int first, second;              // patches, first <= second
   std::vector<ListedPair> pairs;  // in the order of the patches' primitives, whenever the list is made
   std::size_t edges_begin = 0;    // of pairs: before it are points with triangles, then edges with edges
   bool meets_collider = false, counts_edge_ends = false;  // of all of them, as of a ContactPair
   double radius = 0, friction = 0;
-  double least_thickness = 0;    // m, of all of them
-  double travelled = 0;          // m: a bound of how far two points of either have moved relatively
-  double valid_until = -1;       // until then pairs that are not listed are out of reach
-  double next_contact = 0;       // until then listed pairs are, too; the least of their expiries
-  double next_collision = 0;     // until then they don't come near zero distance
+  double least_thickness = 0;  // m, of all of them
+  double travelled = 0;        // m: a bound of how far two points of either have moved relatively
+  double valid_until = -1;     // until then pairs that are not listed are out of reach
+  double next_contact = 0;     // until then listed pairs are, too; the least of their expiries
+  double next_collision = 0;   // until then they don't come near zero distance
 };
 
 // The i-th of the listed pairs.

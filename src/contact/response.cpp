@@ -69,6 +69,14 @@ Vec4 friction_impulse(const Pull& pull, const Vec4& way) {
   return squared_length > most * most ? Vec4(sticking * (most / std::sqrt(squared_length))) : sticking;
 }
 
+// What of a friction of before goes across the normal now.
+void recall(const ContactImpulse& impulse, Pull& pull) {
+  if (!(pull.mobility > 0)) return;
+  const Vec4 friction = padded(impulse.friction);
+  pull.impulse = impulse.along_normal;
+  pull.friction_impulse = friction - pull.normal.dot(friction) * pull.normal;
+}
+
 // One visit of one contact; returns how far it moved the sides, in metres, squared.
 double solve(Pull& pull, std::vector<Vec4>& x) {
   if (!(pull.mobility > 0)) return 0;
@@ -170,6 +178,26 @@ Response begin_response(const ContactGeometry& geometry, const std::vector<Conta
                      }
                    });
   return response;
+}
+
+void start_with(const std::vector<ContactImpulse>& impulses, Response& response, std::vector<Vec3>& x) {
+  const std::vector<int>& order = response.groups.order;
+  parallel_for_each(order.size(), 512, [&](std::size_t i) { recall(impulses[order[i]], response.pulls[i]); });
+  const auto visit = [](Pull& pull, std::vector<Vec4>& places) {
+    if (pull.impulse > 0)
+      apply_impulse(pull, (pull.impulse * pull.normal + pull.friction_impulse).eval(), places);
+    return 0.0;
+  };
+  sweep_points(1, 0, visit, response, x);
+}
+
+std::vector<ContactImpulse> impulses_of(const Response& response) {
+  std::vector<ContactImpulse> impulses(response.pulls.size());
+  parallel_for_each(impulses.size(), 512, [&](std::size_t i) {
+    const Pull& pull = response.pulls[i];
+    impulses[response.groups.order[i]] = {pull.impulse, pull.friction_impulse.head<3>()};
+  });
+  return impulses;
 }
 
 void resolve_contacts(double thickness, Response& response, std::vector<Vec3>& x) {

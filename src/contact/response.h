@@ -5,6 +5,7 @@
 
 #include "contact/active_contacts.h"
 #include "contact/collision_groups.h"
+#include "contact/held_impulses.h"
 #include "core/vector.h"
 
 namespace drape {
@@ -35,6 +36,13 @@ struct Response {
 
 Response begin_response(const ContactGeometry& geometry, const std::vector<Contact>& contacts,
                         const std::vector<Vec3>& start);
+
+// Moves x by the impulses that held each contact in the step before: those that hold it now are much the same
+// where things rest, and from there on few sweeps are enough.
+void start_with(const std::vector<ContactImpulse>& impulses, Response& response, std::vector<Vec3>& x);
+
+// Of each contact.
+std::vector<ContactImpulse> impulses_of(const Response& response);
 
 // Moves the step's end positions x so that every contact keeps its target: iterated, local,
 // momentum-conserving pulls (after Spillmann and Teschner 2008), as projected Gauss-Seidel on the accumulated

@@ -116,8 +116,9 @@ ContactStepResult advance_step(const World& world, double time, State& state, Sc
     std::copy(scratch.free_positions.begin(), scratch.free_positions.end(), scratch.end.begin());
   });
   check_finite(scratch.end);
-  const ContactStepResult contact = step_contacts(world.geometry, world.contact_settings, scratch.bodies,
-                                                  scratch.start, scratch.proximity, profile, scratch.end);
+  const ContactStepResult contact =
+      step_contacts(world.geometry, world.contact_settings, scratch.bodies, scratch.start, scratch.proximity,
+                    state.held_impulses, profile, scratch.end);
   check_finite(scratch.end);
   timed(profile, Phase::other, [&] { integrate(world, contact, state, scratch); });
   return contact;

@@ -12,11 +12,16 @@ using test::Scene;
 
 constexpr double thickness = 0.01, step = 0.001;
 
-ContactStepResult advance(Scene& scene) {
+ContactStepResult advance(Scene& scene, std::vector<HeldImpulse>& held) {
   Proximity proximity = start_proximity(scene.geometry);
   Profile profile;
   return step_contacts(scene.geometry, contact_settings(scene.geometry, step), scene.bodies, scene.start,
-                       proximity, profile, scene.end);
+                       proximity, held, profile, scene.end);
+}
+
+ContactStepResult advance(Scene& scene) {
+  std::vector<HeldImpulse> nothing_held;
+  return advance(scene, nothing_held);
 }
 
 Scene layers(const std::vector<double>& heights) {

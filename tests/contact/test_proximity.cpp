@@ -22,7 +22,7 @@ int update(const Scene& scene, Proximity& proximity) {
 
 struct Listed {
   const PatchPair* patches;
-  const ContactPair* pair;
+  ContactPair pair;
   double expiry;
 };
 
@@ -30,8 +30,8 @@ std::multimap<Key, Listed> listed_pairs(const Proximity& proximity) {
   std::multimap<Key, Listed> all;
   for (const PatchPair& patches : proximity.pairs)
     for (std::size_t i = 0; i < patches.pairs.size(); ++i)
-      all.insert({{patches.pairs[i].kind, patches.pairs[i].vertices},
-                  {&patches, &patches.pairs[i], patches.expiries[i]}});
+      all.insert({{contact_pair(patches, i).kind, patches.pairs[i].vertices},
+                  {&patches, contact_pair(patches, i), patches.pairs[i].expiry}});
   return all;
 }
 
@@ -54,7 +54,7 @@ int expect_listed(const Scene& scene, const Proximity& proximity, const std::vec
     const auto& [patches, pair, expiry] = first->second;
     if (stopped)
       EXPECT_GE(patches->travelled + relative_way_if_stopped(proximity, *patches) + 2e-5,
-                expiry + pair->thickness);
+                expiry + pair.thickness);
     else
       EXPECT_GE(patches->travelled + relative_way(proximity, *patches), expiry);
   }
@@ -190,11 +190,12 @@ TEST(Proximity, PairsCarryTheirThicknessAndFriction) {
     scene.geometry.bodies[b].friction = 0.1 * static_cast<double>(b + 1);
   const Proximity proximity = scene.proximity();
   for (const auto& [key, listed] : listed_pairs(proximity)) {
-    const ContactPair& pair = *listed.pair;
+    const ContactPair& pair = listed.pair;
     const auto [a, b] = pair_bodies(scene.geometry, pair.kind, pair.vertices);
     EXPECT_EQ(pair.thickness, pair_thickness(scene.geometry, pair.kind, pair.vertices));
     EXPECT_EQ(pair.radius, pair_radius(scene.geometry, a, b));
     EXPECT_EQ(pair.friction, pair_friction(scene.geometry, a, b));
+    EXPECT_EQ(pair.meets_collider, !scene.geometry.bodies[a].is_cloth || !scene.geometry.bodies[b].is_cloth);
     EXPECT_FALSE(pair.counts_edge_ends && scene.geometry.bodies[a].is_cloth &&
                  scene.geometry.bodies[b].is_cloth);
   }
@@ -208,7 +209,7 @@ TEST(Proximity, EdgeEndsCountForACapsuleWhichHasNoTriangles) {
   const Proximity proximity = scene.proximity();
   for (const auto& [key, listed] : listed_pairs(proximity))
     if (pair_bodies(scene.geometry, key.first, key.second)[1] == 1 && key.first == PairKind::edge_edge) {
-      EXPECT_TRUE(listed.pair->counts_edge_ends);
+      EXPECT_TRUE(listed.pair.counts_edge_ends);
       ++edge_pairs;
     }
   EXPECT_GT(edge_pairs, 5);
@@ -298,7 +299,7 @@ TEST(Proximity, ListsAreTheSameWithAnyNumberOfThreads) {
     results.emplace_back();
     const Proximity proximity = scene.proximity();
     for (const PatchPair& patches : proximity.pairs)
-      for (const ContactPair& pair : patches.pairs) results.back().push_back(pair.vertices);
+      for (const ListedPair& pair : patches.pairs) results.back().push_back(pair.vertices);
   }
   EXPECT_GT(results[0].size(), 1000u);
   EXPECT_EQ(results[0], results[1]);

@@ -31,6 +31,7 @@ State a_state() {
   state.collider_poses = {a_pose()};
   state.grabs = {{7, 8, 9}};
   state.seam_lengths = {0.5, 0.25};
+  state.held_impulses = {{{1, 2}, {3, 4, 5, 6}, 1, {1e-9, {1, 2, 1e-300}}}};
   for (int i = 0; i < 500; ++i) {
     state.positions.emplace_back(i / 3.0, -i, 1e-300 * i);
     state.velocities.emplace_back(i, 0.1 * i, -0.0);
@@ -197,6 +198,8 @@ TEST(Checkpoints, ComeBackBitForBit) {
   EXPECT_EQ(same->collider_times, state.collider_times);
   EXPECT_EQ(same->grabs, state.grabs);
   EXPECT_EQ(same->seam_lengths, state.seam_lengths);
+  ASSERT_EQ(same->held_impulses.size(), 1u);
+  EXPECT_EQ(std::memcmp(same->held_impulses.data(), state.held_impulses.data(), sizeof(HeldImpulse)), 0);
   ASSERT_EQ(same->velocities.size(), state.velocities.size());
   EXPECT_EQ(
       std::memcmp(same->velocities.data(), state.velocities.data(), state.velocities.size() * sizeof(Vec3)),

@@ -39,6 +39,7 @@ TEST(Determinism, AResumedRunGivesTheSameBitsAsOneThatNeverStopped) {
   Simulation whole(busy_scene());
   advance(whole, 6);
   const State checkpoint = whole.state();
+  ASSERT_FALSE(checkpoint.held_impulses.empty());
   advance(whole, 6);
   Simulation resumed(busy_scene());
   resumed.restore(checkpoint);
@@ -61,6 +62,9 @@ TEST(Determinism, TheHashSeesEachPartOfTheState) {
   EXPECT_NE(state_hash(changed), hash);
   changed = state;
   changed.grabs[0].x() += 1e-15;
+  EXPECT_NE(state_hash(changed), hash);
+  changed = state;
+  changed.held_impulses.push_back({{0, 0}, {1, 2, 3, 4}, 0, {1e-9, Vec3::Zero()}});
   EXPECT_NE(state_hash(changed), hash);
   changed = state;
   ++changed.frame;
