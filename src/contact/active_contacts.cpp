@@ -1,7 +1,6 @@
 #include "contact/active_contacts.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 #include "contact/conservative_advancement.h"
@@ -130,7 +129,7 @@ void examine_pairs(const NarrowPhase& phase, const Moment& moment, PatchPair& pa
   for (std::size_t i = 0; i < patches.pairs.size(); ++i)
     if (travelled >= patches.pairs[i].expiry)
       examine_pair(phase, moment, contact_pair(patches, i), patches.pairs[i].expiry, out);
-  for (std::size_t i = found; i < out.size(); ++i) out[i].patches = {patches.second, patches.first};
+  for (std::size_t i = found; i < out.size(); ++i) out[i].place = {patches.second, patches.first};
   update_next(patches);
 }
 
@@ -157,7 +156,7 @@ static Contact make_plane_contact(const NarrowPhase& phase, const ContactPlane& 
   Contact contact{};
   contact.kind = first_plane_kind + plane.body;
   contact.meets_collider = true;
-  contact.patches = {std::numeric_limits<int>::max(), plane.body};
+  contact.place = {after_all_patches + plane.body, v};
   contact.vertices = {v, v, v, v};
   contact.weights = {1, 0, 0, 0};
   contact.normal = up_end;

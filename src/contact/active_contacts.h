@@ -9,13 +9,16 @@
 namespace drape {
 
 constexpr int first_plane_kind = 2;  // after those of pairs
+constexpr int after_all_patches = 1 << 30;
 
 // A contact that the response has to hold: along `normal`, the two sides (weights as in ClosestPoints) must
 // stay `target` apart at the step's end.
 struct Contact {
   int kind;  // of its pair, or first_plane_kind + the plane's body: with the vertices, which contact it is
   bool meets_collider;         // or a plane
-  std::array<int, 2> patches;  // its second and its first, by which contacts are ordered; planes come after
+  // By which contacts are ordered: of its second and its first patch; with a plane, after_all_patches and its
+  // body, and the vertex.
+  std::array<int, 2> place;
   std::array<int, 4> vertices;
   std::array<double, 4> weights;  // a vertex that plays no part has 0
   Vec3 normal;                    // unit, from the second side to the first

@@ -14,11 +14,11 @@ bool is_same(const HeldImpulse& held, const Contact& contact) {
   return held.kind == contact.kind && held.vertices == contact.vertices;
 }
 
-using Place = std::vector<HeldImpulse>::const_iterator;
+using Iterator = std::vector<HeldImpulse>::const_iterator;
 
-// The contact's impulse, if it is among those of its patches from `at` on.
-Place find(const Contact& contact, Place at, Place end) {
-  for (; at != end && at->patches == contact.patches; ++at)
+// The contact's impulse, if it is among those of its place from `at` on.
+Iterator find(const Contact& contact, Iterator at, Iterator end) {
+  for (; at != end && at->place == contact.place; ++at)
     if (is_same(*at, contact)) return at;
   return end;
 }
@@ -33,23 +33,23 @@ std::vector<HeldImpulse> hold_impulses(const std::vector<Contact>& contacts,
                      for (std::size_t i = begin; i < end; ++i) {
                        const Contact& contact = contacts[i];
                        if (impulses[i].along_normal > 0)
-                         out.push_back({contact.patches, contact.vertices, contact.kind, impulses[i]});
+                         out.push_back({contact.place, contact.vertices, contact.kind, impulses[i]});
                      }
                    });
   return held;
 }
 
-// Both are in the order of their patches, and for the same patches in that of their primitives, whichever are
+// Both are in the order of their places, and for the same place in that of their primitives, whichever are
 // there: one walk through both finds all.
 std::vector<ContactImpulse> recall_impulses(const std::vector<HeldImpulse>& held,
                                             const std::vector<Contact>& contacts) {
-  const auto precedes = [](const HeldImpulse& a, const std::array<int, 2>& b) { return a.patches < b; };
+  const auto precedes = [](const HeldImpulse& a, const std::array<int, 2>& b) { return a.place < b; };
   std::vector<ContactImpulse> impulses(contacts.size(), ContactImpulse{0, Vec3::Zero()});
   parallel_blocks(contacts.size(), block, [&](std::size_t begin, std::size_t end, std::size_t) {
-    Place at = std::lower_bound(held.begin(), held.end(), contacts[begin].patches, precedes);
+    Iterator at = std::lower_bound(held.begin(), held.end(), contacts[begin].place, precedes);
     for (std::size_t i = begin; i < end; ++i) {
-      while (at != held.end() && at->patches < contacts[i].patches) ++at;
-      const Place found = find(contacts[i], at, held.end());
+      while (at != held.end() && at->place < contacts[i].place) ++at;
+      const Iterator found = find(contacts[i], at, held.end());
       if (found == held.end()) continue;
       impulses[i] = found->impulse;
       at = found + 1;

@@ -18,7 +18,7 @@ struct ContactImpulse {
 
 // What held a contact in the step before; with which contact it was (as in Contact).
 struct HeldImpulse {
-  std::array<int, 2> patches;
+  std::array<int, 2> place;
   std::array<int, 4> vertices;
   std::int64_t kind;
   ContactImpulse impulse;

@@ -112,7 +112,7 @@ void expect_same(const std::vector<Contact>& a, const std::vector<Contact>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].kind, b[i].kind);
-    EXPECT_EQ(a[i].patches, b[i].patches);
+    EXPECT_EQ(a[i].place, b[i].place);
     EXPECT_EQ(a[i].vertices, b[i].vertices);
     EXPECT_EQ(a[i].weights, b[i].weights);
     EXPECT_EQ(a[i].normal, b[i].normal);

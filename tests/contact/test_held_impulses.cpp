@@ -8,9 +8,9 @@
 namespace drape {
 namespace {
 
-Contact contact_of(const std::array<int, 2>& patches, int kind, int vertex) {
+Contact contact_of(const std::array<int, 2>& place, int kind, int vertex) {
   Contact contact{};
-  contact.patches = patches;
+  contact.place = place;
   contact.kind = kind;
   contact.vertices = {vertex, vertex + 1, vertex + 2, vertex + 3};
   return contact;
