@@ -175,9 +175,16 @@ static void add_plane_contacts(const NarrowPhase& phase, const ContactPlane& pla
   const RigidPose& pose = phase.bodies[plane.body].end;
   const Vec3 up = pose.rotation.col(1);
   const double highest = up.dot(pose.translation) + reach * cloth.thickness;
-  for (int v = cloth.vertex_begin; v < cloth.vertex_end; ++v)
-    if (up.dot(phase.motion.end[v]) <= highest && phase.geometry.inverse_masses[v] > 0)
-      contacts.push_back(make_plane_contact(phase, plane, cloth, v));
+  std::vector<Contact> found;
+  parallel_collect(cloth.vertex_end - cloth.vertex_begin, 1024, found,
+                   [&](std::size_t begin, std::size_t end, std::vector<Contact>& out) {
+                     for (std::size_t i = begin; i < end; ++i) {
+                       const int v = cloth.vertex_begin + static_cast<int>(i);
+                       if (up.dot(phase.motion.end[v]) <= highest && phase.geometry.inverse_masses[v] > 0)
+                         out.push_back(make_plane_contact(phase, plane, cloth, v));
+                     }
+                   });
+  contacts.insert(contacts.end(), found.begin(), found.end());
 }
 
 void find_plane_contacts(const NarrowPhase& phase, std::vector<Contact>& contacts) {
