@@ -182,7 +182,7 @@ TEST(CachedFrames, OfAnotherVersion) {
   folder.write("frame_0007.drape", forged(read_file(folder / "frame_0007.drape"), 16, 1, 4));
   EXPECT_EQ(failure(folder),
             (folder / "frame_0007.drape").string() +
-                ": has version 1 of the cache's format, and this program reads 3; run 'drape "
+                ": has version 1 of the cache's format, and this program reads 4; run 'drape "
                 "simulate' again");
 }
 
