@@ -107,10 +107,11 @@ std::optional<ClosestPoints> contact_place(const NarrowPhase& phase, const Conta
 void examine_pair(const NarrowPhase& phase, const Moment& moment, const ContactPair& pair, double& expiry,
                   std::vector<Contact>& out) {
   const FourPoints start = gather(phase.motion.start, pair.vertices);
+  std::optional<double> way;
   const auto stays_away = [&] {
     if (moment.travelled >= expiry) return false;
-    const FourPoints end = gather(phase.motion.end, pair.vertices);
-    return moment.travelled + relative_motion(pair.kind, start, end) < expiry;
+    if (!way) way = relative_motion(pair.kind, start, gather(phase.motion.end, pair.vertices));
+    return moment.travelled + *way < expiry;
   };
   if (stays_away()) return;
   const ClosestPoints at_start = closest_points(pair.kind, start);

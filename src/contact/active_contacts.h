@@ -15,7 +15,7 @@ constexpr int after_all_patches = 1 << 30;
 // stay `target` apart at the step's end.
 struct Contact {
   int kind;  // of its pair, or first_plane_kind + the plane's body: with the vertices, which contact it is
-  bool meets_collider;         // or a plane
+  bool meets_collider;  // or a plane
   // By which contacts are ordered: of its second and its first patch; with a plane, after_all_patches and its
   // body, and the vertex.
   std::array<int, 2> place;

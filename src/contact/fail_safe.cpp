@@ -103,25 +103,22 @@ void stop(const Work& work, const ContactPair& pair) {
   }
 }
 
-// Whether the pair, as far as its vertices go now, keeps its gap all the way.
-bool keeps_gap(const Work& work, const ContactPair& pair, const FourPoints& start, double distance,
-               double gap) {
-  const FourPoints x = reached(work, pair);
-  if (distance - relative_motion(pair.kind, start, x) > gap) return true;
-  return !time_of_contact(pair.kind, start, x, gap, 0.01 * work.least_gap);
-}
-
 // The distance that the closest points keep.
 double kept_gap(const Work& work, const ContactPair& pair, double distance) {
   return std::min(pair.radius + work.least_gap, distance);
 }
 
+struct RiskyPair {
+  ContactPair pair;
+  double least_distance;  // m: at the start its points are no nearer than this
+};
+
 // The listed pairs that may come close in this step at all, wherever their vertices stop.
-std::vector<ContactPair> pairs_at_risk(const Work& work, const Proximity& proximity) {
-  std::vector<ContactPair> risky;
+std::vector<RiskyPair> pairs_at_risk(const Work& work, const Proximity& proximity) {
+  std::vector<RiskyPair> risky;
   constexpr std::size_t block = 256;
   parallel_collect(proximity.pairs.size(), block, risky,
-                   [&](std::size_t begin, std::size_t end, std::vector<ContactPair>& out) {
+                   [&](std::size_t begin, std::size_t end, std::vector<RiskyPair>& out) {
                      for (std::size_t p = begin; p < end; ++p) {
                        const PatchPair& patches = proximity.pairs[p];
                        const double way = patches.travelled + relative_way_if_stopped(proximity, patches) +
@@ -129,7 +126,7 @@ std::vector<ContactPair> pairs_at_risk(const Work& work, const Proximity& proxim
                        if (way < patches.next_collision) continue;
                        for (std::size_t i = 0; i < patches.pairs.size(); ++i)
                          if (way >= patches.pairs[i].expiry + patches.pairs[i].thickness)
-                           out.push_back(contact_pair(patches, i));
+                           out.push_back({contact_pair(patches, i), least_distance(patches, i)});
                      }
                    });
   return risky;
@@ -137,14 +134,18 @@ std::vector<ContactPair> pairs_at_risk(const Work& work, const Proximity& proxim
 
 // The pairs that may collide, and which of them are locked.
 struct Watch {
-  std::vector<ContactPair> pairs;
+  std::vector<RiskyPair> pairs;
   std::vector<char> locked;
 };
 
-bool collides(const Work& work, const ContactPair& pair) {
-  const FourPoints start = gather(work.phase.motion.start, pair.vertices);
-  const double distance = closest_points(pair.kind, start).distance;
-  return !keeps_gap(work, pair, start, distance, kept_gap(work, pair, distance));
+// Whether the pair, as far as its vertices go now, loses its gap on the way.
+bool collides(const Work& work, const RiskyPair& risky) {
+  const ContactPair& pair = risky.pair;
+  const FourPoints start = gather(work.phase.motion.start, pair.vertices), x = reached(work, pair);
+  const double motion = relative_motion(pair.kind, start, x);
+  if (risky.least_distance - motion > pair.radius + work.least_gap) return false;
+  const double distance = closest_points(pair.kind, start).distance, gap = kept_gap(work, pair, distance);
+  return distance - motion <= gap && time_of_contact(pair.kind, start, x, gap, 0.01 * work.least_gap);
 }
 
 // The watched pairs that collide as far as the vertices go now. After the first pass only those need a look
@@ -156,10 +157,9 @@ std::vector<int> colliding_pairs(const Work& work, const Watch& watch, bool firs
   parallel_collect(
       watch.pairs.size(), block, colliding, [&](std::size_t begin, std::size_t end, std::vector<int>& out) {
         for (std::size_t w = begin; w < end; ++w) {
-          const ContactPair& pair = watch.pairs[w];
-          const auto& v = pair.vertices;
+          const auto& v = watch.pairs[w].pair.vertices;
           const bool cut = cut_before[v[0]] || cut_before[v[1]] || cut_before[v[2]] || cut_before[v[3]];
-          if (!watch.locked[w] && (first_pass || cut) && collides(work, pair))
+          if (!watch.locked[w] && (first_pass || cut) && collides(work, watch.pairs[w]))
             out.push_back(static_cast<int>(w));
         }
       });
@@ -169,7 +169,7 @@ std::vector<int> colliding_pairs(const Work& work, const Watch& watch, bool firs
 void lock_colliding_pairs(const Work& work, Watch& watch, bool first_pass,
                           const std::vector<char>& cut_before) {
   for (const int w : colliding_pairs(work, watch, first_pass, cut_before)) {
-    const ContactPair& pair = watch.pairs[w];
+    const ContactPair& pair = watch.pairs[w].pair;
     const FourPoints start = gather(work.phase.motion.start, pair.vertices);
     const ClosestPoints closest = closest_points(pair.kind, start);
     watch.locked[w] = 1;

@@ -121,6 +121,11 @@ ContactPair contact_pair(const PatchPair& patches, std::size_t i) {
           pair.thickness, patches.radius, patches.friction};
 }
 
+double least_distance(const PatchPair& patches, std::size_t i) {
+  const ListedPair& pair = patches.pairs[i];
+  return pair.expiry - patches.travelled + patches.radius + (1 + arrival_share) * pair.thickness;
+}
+
 double expiry_of(double radius, double thickness, double travelled, double distance) {
   return travelled + distance - radius - (1 + arrival_share) * thickness - rounding;
 }

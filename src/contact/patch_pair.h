@@ -37,6 +37,9 @@ struct PatchPair {
 // The i-th of the listed pairs.
 ContactPair contact_pair(const PatchPair& patches, std::size_t i);
 
+// A bound of how near the points of the i-th listed pair are to each other, from when it was looked at last.
+double least_distance(const PatchPair& patches, std::size_t i);
+
 // How near two bodies' surfaces have to come to make a contact, measured between their points, edges and
 // triangles.
 double contact_reach(const ContactGeometry& geometry, int body_a, int body_b);

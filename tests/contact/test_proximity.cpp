@@ -23,7 +23,7 @@ int update(const Scene& scene, Proximity& proximity) {
 struct Listed {
   const PatchPair* patches;
   ContactPair pair;
-  double expiry;
+  double expiry, least_distance;
 };
 
 std::multimap<Key, Listed> listed_pairs(const Proximity& proximity) {
@@ -31,7 +31,7 @@ std::multimap<Key, Listed> listed_pairs(const Proximity& proximity) {
   for (const PatchPair& patches : proximity.pairs)
     for (std::size_t i = 0; i < patches.pairs.size(); ++i)
       all.insert({{contact_pair(patches, i).kind, patches.pairs[i].vertices},
-                  {&patches, contact_pair(patches, i), patches.pairs[i].expiry}});
+                  {&patches, contact_pair(patches, i), patches.pairs[i].expiry, least_distance(patches, i)}});
   return all;
 }
 
@@ -51,7 +51,8 @@ int expect_listed(const Scene& scene, const Proximity& proximity, const std::vec
     const auto [first, last] = listed.equal_range({kind, vertices});
     EXPECT_EQ(std::distance(first, last), 1);
     if (first == last) continue;
-    const auto& [patches, pair, expiry] = first->second;
+    const auto& [patches, pair, expiry, least] = first->second;
+    EXPECT_LE(least, closest_points(kind, gather(scene.start, vertices)).distance);
     if (stopped)
       EXPECT_GE(patches->travelled + relative_way_if_stopped(proximity, *patches) + 2e-5,
                 expiry + pair.thickness);
