@@ -57,7 +57,7 @@ void keep_to_limits(const Step& step, const Response& response) {
 Response respond(const Step& step, const std::vector<Contact>& contacts) {
   return timed(step.profile, Phase::response, [&] {
     Response response = begin_response(step.phase.geometry, contacts, step.phase.motion.start);
-    start_with(recall_impulses(step.held, contacts), response, step.end);
+    start_with(recall_impulses(step.held, contacts), step.settings.held_way, response, step.end);
     resolve_contacts(step.settings.largest_thickness, response, step.end);
     step.held = hold_impulses(contacts, impulses_of(response));
     push_apart(response, step.end);
@@ -112,11 +112,13 @@ FailSafeResult settle(const Step& step) {
 
 ContactSettings contact_settings(const ContactGeometry& geometry, double step) {
   constexpr double healing_time = 0.04;  // s: a fold that is pushed open faster strains its edges
+  constexpr double held_acceleration = 500;  // m/s2: the weight of fifty layers; a blow is more
   const double edge = mean_cloth_edge(geometry);
   ContactSettings settings;
   for (const ContactBody& body : geometry.bodies)
     settings.largest_thickness = std::max(settings.largest_thickness, body.thickness);
   settings.healing = step / healing_time;
+  settings.held_way = held_acceleration * step * step;
   settings.margins = {0.2 * edge, 0.5 * edge, 0.5 * edge};
   return settings;
 }

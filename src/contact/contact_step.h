@@ -17,6 +17,7 @@ struct ContactSettings {
   double least_gap = 1e-5;  // m: what the fail-safe keeps
   bool fail_safe = true;
   double healing = 0;  // share of the thickness by which old overlap may heal in a step
+  double held_way = 0;  // m: how far what held a contact in the last step parts its sides again at most
   EdgeLimits edge_limits = {};
 };
 // From the cloths' mean edge length and thickness, and the step in seconds.
@@ -31,7 +32,8 @@ struct ContactStepResult {
 
 // Section 5 of the paper: x** -> x(t+h). `end` comes with the elastic positions of the cloths and the aims of
 // the colliders, and leaves with what they reach. `proximity` is the last step's; a new one gives the same.
-// `held` is what held contacts in the last step, and leaves with what held them in this one.
+// `held` is what held contacts in the last step, and leaves with what held them in this one, but for what is
+// resolved again before the fail-safe.
 ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSettings& settings,
                                 const std::vector<BodyMotion>& bodies, const std::vector<Vec3>& start,
                                 Proximity& proximity, std::vector<HeldImpulse>& held, Profile& profile,

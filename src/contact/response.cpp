@@ -70,10 +70,12 @@ Vec4 friction_impulse(const Pull& pull, const Vec4& way) {
 }
 
 // What of a friction of before goes across the normal now.
-void recall(const ContactImpulse& impulse, Pull& pull) {
-  if (!(pull.mobility > 0)) return;
-  const Vec4 friction = padded(impulse.friction);
-  pull.impulse = impulse.along_normal;
+void recall(const ContactImpulse& impulse, double farthest, Pull& pull) {
+  const double way = impulse.along_normal * pull.mobility;
+  if (!(way > 0)) return;
+  const double share = std::min(1.0, farthest / way);
+  const Vec4 friction = share * padded(impulse.friction);
+  pull.impulse = share * impulse.along_normal;
   pull.friction_impulse = friction - pull.normal.dot(friction) * pull.normal;
 }
 
@@ -180,9 +182,10 @@ Response begin_response(const ContactGeometry& geometry, const std::vector<Conta
   return response;
 }
 
-void start_with(const std::vector<ContactImpulse>& impulses, Response& response, std::vector<Vec3>& x) {
+void start_with(const std::vector<ContactImpulse>& impulses, double farthest, Response& response,
+                std::vector<Vec3>& x) {
   const std::vector<int>& order = response.groups.order;
-  parallel_for_each(order.size(), 512, [&](std::size_t i) { recall(impulses[order[i]], response.pulls[i]); });
+  parallel_for_each(order.size(), 512, [&](std::size_t i) { recall(impulses[order[i]], farthest, response.pulls[i]); });
   const auto visit = [](Pull& pull, std::vector<Vec4>& places) {
     if (pull.impulse > 0)
       apply_impulse(pull, (pull.impulse * pull.normal + pull.friction_impulse).eval(), places);

@@ -12,7 +12,7 @@ namespace drape {
 
 // What the sweeps need of a contact. Vectors have a fourth component, which is 0.
 struct Pull {
-  Pull() {}  // nothing is cleared: there are many, and all of each is written
+  Pull() {}  // not `= default`, with which a vector would clear them all: each is written whole
 
   std::array<int, 4> vertices;  // one that plays no part is another one again, with weight 0
   double mobility;              // how far the sides part under a unit impulse, in 1/kg; 0: nothing can move
@@ -38,8 +38,11 @@ Response begin_response(const ContactGeometry& geometry, const std::vector<Conta
                         const std::vector<Vec3>& start);
 
 // Moves x by the impulses that held each contact in the step before: those that hold it now are much the same
-// where things rest, and from there on few sweeps are enough.
-void start_with(const std::vector<ContactImpulse>& impulses, Response& response, std::vector<Vec3>& x);
+// where things rest, and from there on few sweeps are enough. Of each no more than parts its sides by
+// `farthest` metres: what stopped a blow is larger, and asked for again it would throw a pile back up faster
+// than the sweeps can take it back.
+void start_with(const std::vector<ContactImpulse>& impulses, double farthest, Response& response,
+                std::vector<Vec3>& x);
 
 // Of each contact.
 std::vector<ContactImpulse> impulses_of(const Response& response);

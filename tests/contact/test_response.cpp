@@ -235,10 +235,25 @@ TEST(Response, AStepLikeTheOneBeforeNeedsNothingButItsImpulses) {
     ASSERT_NE(resolved, wanted);
     Response again = begin_response(scene.geometry, contacts, scene.start);
     scene.end = wanted;
-    start_with(impulses_of(first), again, scene.end);
+    start_with(impulses_of(first), 1, again, scene.end);
     for (std::size_t v = 0; v < resolved.size(); ++v) EXPECT_LT((scene.end[v] - resolved[v]).norm(), 1e-12);
     resolve_contacts(1e-12, again, scene.end);
     for (std::size_t v = 0; v < resolved.size(); ++v) EXPECT_LT((scene.end[v] - resolved[v]).norm(), 1e-12);
+  }
+}
+
+TEST(Response, ABlowIsNotAskedForAgain) {
+  Scene scene = colliding(5, 0.5, {0.03, 0, 0.01});
+  const std::vector<Contact> contacts = active(scene);
+  Response blow = begin_response(scene.geometry, contacts, scene.start);
+  resolve_contacts(1e-12, blow, scene.end);
+  constexpr double farthest = 1e-5;
+  Response after = begin_response(scene.geometry, contacts, scene.start);
+  start_with(impulses_of(blow), farthest, after, scene.end);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Pull &before = blow.pulls[i], &now = after.pulls[i];
+    EXPECT_NEAR(now.impulse * now.mobility, std::min(farthest, before.impulse * before.mobility), 1e-15);
+    EXPECT_LE(now.friction_impulse.norm(), now.friction * now.impulse * (1 + 1e-12));
   }
 }
 
@@ -250,7 +265,8 @@ TEST(Response, ImpulsesOfBeforeThatNothingNeedsAnyMoreAreTakenBack) {
   resolve_contacts(1e-12, pressed, scene.end);
   for (std::size_t v = 0; v < scene.end.size(); ++v) scene.end[v] = scene.start[v];
   Response free = begin_response(scene.geometry, contacts, scene.start);
-  start_with(impulses_of(pressed), free, scene.end);
+  start_with(impulses_of(pressed), 1, free, scene.end);
+  ASSERT_NE(scene.end, scene.start);
   resolve_contacts(1e-12, free, scene.end);
   for (std::size_t v = 0; v < scene.end.size(); ++v)
     EXPECT_LT((scene.end[v] - scene.start[v]).norm(), 1e-9) << v;
