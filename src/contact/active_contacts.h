@@ -8,13 +8,14 @@
 
 namespace drape {
 
-constexpr int first_plane_kind = 2;  // after those of pairs
-constexpr int after_all_patches = 1 << 30;
+constexpr int first_plane_kind = 2;         // after those of pairs
+constexpr int after_all_patches = 1 << 30;  // the place of the first plane
 
 // A contact that the response has to hold: along `normal`, the two sides (weights as in ClosestPoints) must
 // stay `target` apart at the step's end.
 struct Contact {
-  int kind;  // of its pair, or first_plane_kind + the plane's body: with the vertices, which contact it is
+  int kind;  // of its pair, or first_plane_kind + the plane's body: with place and vertices, which contact it
+             // is
   bool meets_collider;  // or a plane
   // By which contacts are ordered: of its second and its first patch; with a plane, after_all_patches and its
   // body, and the vertex.

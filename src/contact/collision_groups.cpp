@@ -73,7 +73,7 @@ void spread(std::span<int> part) {
 }
 
 // The direction in which a group's contacts lie farthest apart, and the places along it that cut them into
-// parts of as many contacts.
+// parts of about as many contacts.
 struct Slabs {
   int axis;
   std::array<double, parts_of_large - 1> cuts;
@@ -124,7 +124,7 @@ std::vector<PartNumber> slabs_of(const Slabs& slabs, const std::vector<Vec3>& po
   return result;
 }
 
-// The slab that all its moving vertices are in, or parts_of_large.
+// The slab that its first vertex and all that move are in, or parts_of_large.
 PartNumber part_of(const ContactGeometry& geometry, const std::vector<PartNumber>& slabs,
                    const Contact& contact) {
   PartNumber part = slabs[contact.vertices[0]];

@@ -14,7 +14,7 @@ struct CollisionGroup {
 };
 
 struct CollisionGroups {
-  std::vector<int> order;  // contact indices
+  std::vector<int> order;  // contact indices; those of a group without parts stay in their order
   std::vector<CollisionGroup> groups;
 };
 

@@ -39,7 +39,7 @@ struct ContactGeometry {
   bool self_collision = true;
 };
 
-// A pair that may come close: what is fixed about it, and how far its motion was last followed.
+// A pair that may come close: what is fixed about it.
 struct ContactPair {
   std::array<int, 4> vertices;
   PairKind kind;

@@ -111,7 +111,7 @@ FailSafeResult settle(const Step& step) {
 }  // namespace
 
 ContactSettings contact_settings(const ContactGeometry& geometry, double step) {
-  constexpr double healing_time = 0.04;  // s: a fold that is pushed open faster strains its edges
+  constexpr double healing_time = 0.04;      // s: a fold that is pushed open faster strains its edges
   constexpr double held_acceleration = 500;  // m/s2: the weight of fifty layers; a blow is more
   const double edge = mean_cloth_edge(geometry);
   ContactSettings settings;

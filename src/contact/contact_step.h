@@ -16,7 +16,7 @@ struct ContactSettings {
   double largest_thickness = 0;
   double least_gap = 1e-5;  // m: what the fail-safe keeps
   bool fail_safe = true;
-  double healing = 0;  // share of the thickness by which old overlap may heal in a step
+  double healing = 0;   // share of the thickness by which old overlap may heal in a step
   double held_way = 0;  // m: how far what held a contact in the last step parts its sides again at most
   EdgeLimits edge_limits = {};
 };

@@ -16,7 +16,7 @@ bool is_same(const HeldImpulse& held, const Contact& contact) {
 
 using Iterator = std::vector<HeldImpulse>::const_iterator;
 
-// The contact's impulse, if it is among those of its place from `at` on.
+// The contact's impulse, if it is among those of its place from `at` on: these are few.
 Iterator find(const Contact& contact, Iterator at, Iterator end) {
   for (; at != end && at->place == contact.place; ++at)
     if (is_same(*at, contact)) return at;

@@ -20,7 +20,7 @@ struct ContactImpulse {
 struct HeldImpulse {
   std::array<int, 2> place;
   std::array<int, 4> vertices;
-  std::int64_t kind;
+  std::int64_t kind;  // as wide as leaves no gap
   ContactImpulse impulse;
 };
 static_assert(sizeof(HeldImpulse) == 64, "no gaps: hashed and written as it lies in memory");

@@ -185,7 +185,8 @@ Response begin_response(const ContactGeometry& geometry, const std::vector<Conta
 void start_with(const std::vector<ContactImpulse>& impulses, double farthest, Response& response,
                 std::vector<Vec3>& x) {
   const std::vector<int>& order = response.groups.order;
-  parallel_for_each(order.size(), 512, [&](std::size_t i) { recall(impulses[order[i]], farthest, response.pulls[i]); });
+  parallel_for_each(order.size(), 512,
+                    [&](std::size_t i) { recall(impulses[order[i]], farthest, response.pulls[i]); });
   const auto visit = [](Pull& pull, std::vector<Vec4>& places) {
     if (pull.impulse > 0)
       apply_impulse(pull, (pull.impulse * pull.normal + pull.friction_impulse).eval(), places);

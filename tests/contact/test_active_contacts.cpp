@@ -59,6 +59,12 @@ TEST(ActiveContacts, OldOverlapHealsSlowlyAndIsNoVelocity) {
   }
 }
 
+TEST(ActiveContacts, OverlapHealsToHalfTheThicknessAndNoFurther) {
+  EXPECT_GT(active(approaching(0.0045, 0.0045)).at(0).push_target, 0.0046);
+  EXPECT_NEAR(active(approaching(0.0049999, 0.0049999)).at(0).push_target, 0.5 * thickness, 1e-15);
+  EXPECT_NEAR(active(approaching(0.006, 0.006)).at(0).push_target, 0.006, 1e-15);
+}
+
 TEST(ActiveContacts, WeightsAreBarycentricAndTheirSumIsZero) {
   Random random(1);
   Scene scene;

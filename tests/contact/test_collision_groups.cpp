@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
 
 #include "contact/collision_groups.h"
@@ -48,7 +47,7 @@ TEST(CollisionGroups, DisjointContactsAreGroupsOfTheirOwn) {
   EXPECT_EQ(members(groups), (Members{{1}, {2}, {0}}));
 }
 
-TEST(CollisionGroups, ContactsThatShareVerticesThroughOthersAreOneGroup) {
+TEST(CollisionGroups, ContactsThatShareVerticesThroughOthersAreOneGroupAndKeepTheirOrder) {
   const auto groups = groups_of(grid({8, 5}), {contact_of({9, 10, 11, 12}), contact_of({20, 21, 22, 23}),
                                                contact_of({0, 1, 2, 3}), contact_of({3, 4, 5, 9})});
   EXPECT_EQ(members(groups), (Members{{0, 2, 3}, {1}}));
@@ -68,12 +67,6 @@ TEST(CollisionGroups, NoContactsMakeNoGroup) {
   const CollisionGroups groups = groups_of(grid({8, 5}), {});
   EXPECT_TRUE(groups.order.empty());
   EXPECT_TRUE(groups.groups.empty());
-}
-
-TEST(CollisionGroups, ContactsOfAGroupKeepTheirOrder) {
-  const auto groups = groups_of(grid({8, 5}), {contact_of({3, 4, 5, 6}), contact_of({20, 21, 22, 23}),
-                                               contact_of({0, 1, 2, 9}), contact_of({0, 1, 2, 3})});
-  EXPECT_EQ(members(groups), (Members{{0, 2, 3}, {1}}));
 }
 
 // A large group, as the contacts of a pile: 10,000 of neighbours in a sheet.

@@ -65,6 +65,27 @@ TEST(ContactStep, WhatOthersPushOnAPlaneKeepsItsThicknessOverIt) {
   for (int i = 0; i < 3; ++i) EXPECT_GT(scene.end[i].y(), 0.98 * thickness);
 }
 
+// Eight layers on a plane, which weigh on each other: sweeps alone end before the lowest carries all.
+TEST(ContactStep, WhatHeldAStackInTheLastStepHoldsItInTheNext) {
+  Scene scene = layers({0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08});
+  scene.add_plane();
+  for (int cloth = 0; cloth < 8; ++cloth) lower(scene, cloth, 5e-5);
+  const std::vector<Vec3> wanted = scene.end;
+  std::vector<HeldImpulse> held;
+  const auto sag = [&] {
+    scene.end = wanted;
+    advance(scene, held);
+    double farthest = 0;
+    for (std::size_t v = 0; v < scene.end.size(); ++v)
+      farthest = std::max(farthest, scene.start[v].y() - scene.end[v].y());
+    return farthest;
+  };
+  const double first = sag();
+  EXPECT_FALSE(held.empty());
+  for (int again = 0; again < 10; ++again) sag();
+  EXPECT_LT(sag(), 0.8 * first);
+}
+
 TEST(ContactStep, WhereNothingCanGiveWayTheFailSafeHoldsIt) {
   Scene scene = layers({0, 0.03});
   for (double& inverse_mass : scene.geometry.inverse_masses) inverse_mass = 0;

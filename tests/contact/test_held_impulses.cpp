@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "contact/active_contacts.h"
-#include "core/parallel.h"
 
 namespace drape {
 namespace {

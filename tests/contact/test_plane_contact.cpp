@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "contact/active_contacts.h"
 #include "contact/response.h"
+#include "core/parallel.h"
 #include "scene.h"
 
 namespace drape {
@@ -39,6 +42,23 @@ TEST(PlaneContact, VerticesAtOrUnderTheirThicknessAtTheEndAreInContact) {
   EXPECT_EQ(contacts[0].vertices[0], 4);
   EXPECT_EQ(contacts[1].vertices[0], 7);
   EXPECT_EQ(contacts[0].normal, Vec3(0, 1, 0));
+}
+
+TEST(PlaneContact, ContactsOfManyVerticesWithTwoPlanesAreInOrderWithAnyNumberOfThreads) {
+  Scene scene;
+  scene.add_cloth(test::shifted(make_grid({1, 1}, {60, 60}), {0, 0.011, 0}), thickness);
+  scene.add_plane();
+  scene.add_plane();
+  std::vector<std::array<int, 2>> places;
+  for (const Contact& contact : plane_contacts(scene)) places.push_back(contact.place);
+  EXPECT_EQ(places.size(), 7200u);
+  EXPECT_TRUE(std::is_sorted(places.begin(), places.end()));
+  for (const int threads : {1, 2, 4}) {
+    const ThreadLimit limit(threads);
+    std::vector<std::array<int, 2>> again;
+    for (const Contact& contact : plane_contacts(scene)) again.push_back(contact.place);
+    EXPECT_EQ(again, places) << threads << " threads";
+  }
 }
 
 TEST(PlaneContact, AFallingVertexEndsAtItsThickness) {

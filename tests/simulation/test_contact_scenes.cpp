@@ -61,6 +61,20 @@ TEST(ContactScenes, AStackOfSheetsComesToRest) {
   EXPECT_LT(statistics.kinetic_energy / total_mass(simulation), 1e-10);
 }
 
+// The blow of the first step is not what holds them in the next.
+TEST(ContactScenes, SheetsThatLandTogetherDoNotBounce) {
+  SimulationInput input;
+  for (int layer = 0; layer < 20; ++layer) input.cloths.push_back(sheet(0.3, 7, 0.1 + 0.00502 * layer));
+  remove_air(input);
+  input.colliders.push_back(ground());
+  Simulation simulation(input);
+  for (int frame = 0; frame < 10; ++frame) {
+    simulation.advance_frame();
+    EXPECT_LT(linear_momentum(simulation).y() / total_mass(simulation), 0.02)
+        << "frame " << frame + 1;  // m/s
+  }
+}
+
 // A ball that is sent at 25 m/s against a sheet that cannot give way, and would stop at a key behind it.
 TEST(ContactScenes, ABallThatIsHeldUpIsWhereItsClockSays) {
   SimulationInput input = simulate_alone(standing_sheet(0.3, 12, 0.2));
