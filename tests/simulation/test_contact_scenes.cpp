@@ -152,8 +152,8 @@ TEST(ContactScenes, TwoLayersLieOnEachOther) {
   Simulation simulation(input);
   advance(simulation, 30);
   for (std::size_t v = 0; v < 256; ++v) {
-    EXPECT_NEAR(simulation.state().positions[v].y(), 0.005, 5.5e-4);
-    EXPECT_NEAR(simulation.state().positions[v + 256].y(), 0.010, 1.1e-3);
+    EXPECT_NEAR(simulation.state().positions[v].y(), 0.005, 1e-4);
+    EXPECT_NEAR(simulation.state().positions[v + 256].y(), 0.010, 3e-4);
   }
   EXPECT_EQ(intersecting_pairs(simulation), 0);
 }
