@@ -14,11 +14,10 @@ constexpr int after_all_patches = 1 << 30;  // the place of the first plane
 // A contact that the response has to hold: along `normal`, the two sides (weights as in ClosestPoints) must
 // stay `target` apart at the step's end.
 struct Contact {
-  int kind;  // of its pair, or first_plane_kind + the plane's body: with place and vertices, which contact it
-             // is
+  int kind;             // of its pair, or first_plane_kind + the plane's body
   bool meets_collider;  // or a plane
-  // By which contacts are ordered: of its second and its first patch; with a plane, after_all_patches and its
-  // body, and the vertex.
+  // By which contacts are ordered: its second and its first patch, or for a plane after_all_patches + its
+  // body, and the vertex. With kind and vertices it says which contact this is.
   std::array<int, 2> place;
   std::array<int, 4> vertices;
   std::array<double, 4> weights;  // a vertex that plays no part has 0
