@@ -9,11 +9,12 @@
 namespace drape {
 namespace {
 
-// Old overlap heals only up to half of the thickness. A push has no velocity, but what elastic forces
-// and weight press together again has: where they meet in every step, a pile at rest would buzz. What a
-// landing leaves of the thickness is mostly more than that.
-double healed_distance(const NarrowPhase& phase, double thickness, double distance) {
-  const double healed = std::min(0.5 * thickness, distance + phase.healing * thickness);
+// How far old overlap heals, in shares of the thickness: what lies nearly at its distance is left alone. Where
+// pushes are in vain they go on only for what comes so near that the fail-safe would hold it.
+constexpr double healed_share = 0.9, paused_share = 0.2;
+
+double healed_distance(const NarrowPhase& phase, double share, double thickness, double distance) {
+  const double healed = std::min(share * thickness, distance + phase.healing * thickness);
   return std::max(std::min(thickness, distance), healed);
 }
 
@@ -59,8 +60,10 @@ Contact make_contact(const NarrowPhase& phase, const ContactPair& pair, const Cl
   contact.vertices = pair.vertices;
   contact.weights = closest.weights;
   contact.normal = closest.difference / closest.distance;
-  contact.target = pair.radius + std::min(pair.thickness, start_distance - pair.radius);
-  contact.push_target = pair.radius + healed_distance(phase, pair.thickness, start_distance - pair.radius);
+  const double gap = start_distance - pair.radius;
+  contact.target = pair.radius + std::min(pair.thickness, gap);
+  contact.push_target = pair.radius + healed_distance(phase, healed_share, pair.thickness, gap);
+  contact.paused_push_target = pair.radius + healed_distance(phase, paused_share, pair.thickness, gap);
   contact.friction = pair.friction;
   contact.turn = pair.radius > 0 ? turning(phase, pair, closest) : Vec3::Zero();
   return contact;
@@ -162,7 +165,8 @@ static Contact make_plane_contact(const NarrowPhase& phase, const ContactPlane& 
   contact.weights = {1, 0, 0, 0};
   contact.normal = up_end;
   contact.target = offset + std::min(cloth.thickness, start_height);
-  contact.push_target = offset + healed_distance(phase, cloth.thickness, start_height);
+  contact.push_target = offset + healed_distance(phase, healed_share, cloth.thickness, start_height);
+  contact.paused_push_target = offset + healed_distance(phase, paused_share, cloth.thickness, start_height);
   contact.friction = pair_friction(phase.geometry, phase.geometry.vertex_body[v], plane.body);
   contact.turn = -rigid_displacement(motion, phase.motion.start[v]);
   return contact;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "contact/contact_geometry.h"
+#include "contact/contact_memory.h"
 #include "contact/proximity.h"
 
 namespace drape {
@@ -23,9 +24,11 @@ struct Contact {
   std::array<double, 4> weights;  // a vertex that plays no part has 0
   Vec3 normal;                    // unit, from the second side to the first
   double target;       // m: what is kept in this step; old overlap is no more than kept from growing
-  double push_target;  // m: what the push after the step grows towards
+  double push_target;         // m: what the push after the step grows towards
+  double paused_push_target;  // m: the same while its pushes are paused
   double friction;
   Vec3 turn;  // m: what the turning of a rounded or plane collider adds to the sides' relative motion
+  ContactMemory memory;
 };
 
 // Where a body is at the start and the end of the step; cloths have none.

@@ -1,6 +1,7 @@
 #include "contact/contact_step.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "contact/fail_safe.h"
@@ -25,7 +26,6 @@ struct Step {
   const NarrowPhase& phase;
   const ContactSettings& settings;
   Proximity& proximity;
-  std::vector<HeldImpulse>& held;
   Profile& profile;
   std::vector<Vec3>& end;
 };
@@ -56,10 +56,9 @@ void keep_to_limits(const Step& step, const Response& response) {
 
 Response respond(const Step& step, const std::vector<Contact>& contacts) {
   return timed(step.profile, Phase::response, [&] {
-    Response response = begin_response(step.phase.geometry, contacts, step.phase.motion.start);
-    start_with(recall_impulses(step.held, contacts), step.settings.held_way, response, step.end);
+    Response response =
+        begin_response(step.phase.geometry, contacts, step.settings.held_way, step.phase.motion.start);
     resolve_contacts(step.settings.largest_thickness, response, step.end);
-    step.held = hold_impulses(contacts, impulses_of(response));
     push_apart(response, step.end);
     keep_to_limits(step, response);
     return response;
@@ -82,7 +81,7 @@ FailSafeResult let_nothing_through(const Step& step) {
 void resolve_anew(const Step& step, bool with_limits) {
   const std::vector<Contact> contacts = find_contacts(step);
   timed(step.profile, Phase::response, [&] {
-    Response response = begin_response(step.phase.geometry, contacts, step.phase.motion.start);
+    Response response = begin_response(step.phase.geometry, contacts, 0, step.phase.motion.start);
     resolve_contacts(step.settings.largest_thickness, response, step.end);
     if (with_limits) keep_to_limits(step, response);
   });
@@ -113,29 +112,37 @@ FailSafeResult settle(const Step& step) {
 ContactSettings contact_settings(const ContactGeometry& geometry, double step) {
   constexpr double healing_time = 0.04;      // s: a fold that is pushed open faster strains its edges
   constexpr double held_acceleration = 500;  // m/s2: the weight of fifty layers; a blow is more
+  constexpr double pause = 0.25;             // s
   const double edge = mean_cloth_edge(geometry);
   ContactSettings settings;
   for (const ContactBody& body : geometry.bodies)
     settings.largest_thickness = std::max(settings.largest_thickness, body.thickness);
   settings.healing = step / healing_time;
   settings.held_way = held_acceleration * step * step;
+  settings.push_pause = static_cast<std::int64_t>(std::ceil(pause / step));
   settings.margins = {0.2 * edge, 0.5 * edge, 0.5 * edge};
   return settings;
 }
 
 ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSettings& settings,
                                 const std::vector<BodyMotion>& bodies, const std::vector<Vec3>& start,
-                                Proximity& proximity, std::vector<HeldImpulse>& held, Profile& profile,
+                                Proximity& proximity, std::vector<RememberedContact>& remembered, Profile& profile,
                                 std::vector<Vec3>& end) {
   const NarrowPhase phase{geometry, bodies, {start, end}, settings.healing};
-  const Step step{phase, settings, proximity, held, profile, end};
+  const Step step{phase, settings, proximity, profile, end};
   find_pairs(step);
-  const std::vector<Contact> contacts = find_contacts(step);
-  const Response response = respond(step, contacts);
+  std::vector<Contact> contacts = find_contacts(step);
+  recall(remembered, contacts);
+  Response response = respond(step, contacts);
   const FailSafeResult reached = settle(step);
   ContactStepResult result;
   result.contacts = static_cast<int>(contacts.size());
-  result.push = timed(profile, Phase::response, [&] { return pushed_ways(response, end); });
+  result.push = timed(profile, Phase::response, [&] {
+    std::vector<Vec3> ways = pushed_ways(settings.push_pause, response, end);
+    store_memories(response, contacts);
+    remembered = remember(contacts);
+    return ways;
+  });
   result.body_progress = reached.body_progress;
   result.limited_vertices = reached.limited_vertices;
   timed(profile, Phase::broad, [&] { follow_motion(phase.motion, proximity); });

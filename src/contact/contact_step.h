@@ -5,7 +5,7 @@
 #include "contact/active_contacts.h"
 #include "contact/contact_geometry.h"
 #include "contact/edge_limits.h"
-#include "contact/held_impulses.h"
+#include "contact/contact_memory.h"
 #include "contact/proximity.h"
 #include "core/profile.h"
 
@@ -18,6 +18,7 @@ struct ContactSettings {
   bool fail_safe = true;
   double healing = 0;   // share of the thickness by which old overlap may heal in a step
   double held_way = 0;  // m: how far what held a contact in the last step parts its sides again at most
+  std::int64_t push_pause = 0;  // steps for which a contact is left alone that was pushed in vain
   EdgeLimits edge_limits = {};
 };
 // From the cloths' mean edge length and thickness, and the step in seconds.
@@ -32,11 +33,11 @@ struct ContactStepResult {
 
 // Section 5 of the paper: x** -> x(t+h). `end` comes with the elastic positions of the cloths and the aims of
 // the colliders, and leaves with what they reach. `proximity` is the last step's; a new one gives the same.
-// `held` is what held contacts in the last step, and leaves with what held them in this one, but for what is
-// resolved again before the fail-safe.
+// `remembered` comes with what contacts keep of the last step, and leaves with what they keep of this one, but
+// for what is resolved again before the fail-safe.
 ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSettings& settings,
                                 const std::vector<BodyMotion>& bodies, const std::vector<Vec3>& start,
-                                Proximity& proximity, std::vector<HeldImpulse>& held, Profile& profile,
+                                Proximity& proximity, std::vector<RememberedContact>& remembered, Profile& profile,
                                 std::vector<Vec3>& end);
 
 }  // namespace drape

@@ -35,15 +35,26 @@ std::array<int, 4> vertices_that_count(const Contact& contact) {
   return vertices;
 }
 
-Pull make_pull(const ContactGeometry& geometry, const Contact& contact, const std::vector<Vec3>& start) {
+// What held it before, as far as that parts the sides by no more than `farthest`; of its friction what goes
+// across the normal now.
+void start_with(const ContactMemory& memory, double farthest, Pull& pull) {
+  const double way = memory.impulse * pull.mobility;
+  const double share = way > farthest ? farthest / way : 1;
+  const Vec4 friction = share * padded(memory.friction_impulse);
+  pull.impulse = share * memory.impulse;
+  pull.friction_impulse = friction - pull.normal.dot(friction) * pull.normal;
+  pull.steps_to_push = std::max<std::int64_t>(memory.steps_to_push - 1, 0);
+}
+
+Pull make_pull(const ContactGeometry& geometry, const Contact& contact, double farthest,
+               const std::vector<Vec3>& start) {
   Pull pull;
   pull.vertices = vertices_that_count(contact);
   pull.target = contact.target;
-  pull.push_target = contact.push_target;
+  pull.push_target = contact.memory.steps_to_push > 0 ? contact.paused_push_target : contact.push_target;
   pull.friction = contact.friction;
   pull.normal = padded(contact.normal);
-  pull.impulse = pull.push_impulse = pull.mobility = 0;
-  pull.friction_impulse.setZero();
+  pull.push_impulse = pull.mobility = 0;
   for (int i = 0; i < 4; ++i) {
     pull.weights[i] = contact.weights[i];
     pull.responses[i] = geometry.inverse_masses[contact.vertices[i]] * contact.weights[i];
@@ -51,6 +62,7 @@ Pull make_pull(const ContactGeometry& geometry, const Contact& contact, const st
   }
   pull.effective_mass = pull.mobility > 0 ? 1 / pull.mobility : 0;
   pull.origin = padded(weighted_sum(pull, start) - contact.turn);
+  start_with(contact.memory, farthest, pull);
   return pull;
 }
 
@@ -69,14 +81,11 @@ Vec4 friction_impulse(const Pull& pull, const Vec4& way) {
   return squared_length > most * most ? Vec4(sticking * (most / std::sqrt(squared_length))) : sticking;
 }
 
-// What of a friction of before goes across the normal now.
-void recall(const ContactImpulse& impulse, double farthest, Pull& pull) {
-  const double way = impulse.along_normal * pull.mobility;
-  if (!(way > 0)) return;
-  const double share = std::min(1.0, farthest / way);
-  const Vec4 friction = share * padded(impulse.friction);
-  pull.impulse = share * impulse.along_normal;
-  pull.friction_impulse = friction - pull.normal.dot(friction) * pull.normal;
+// Returns 0: what it moves is not for a sweep to settle.
+double hold_again(const Pull& pull, std::vector<Vec4>& x) {
+  if (pull.impulse > 0 && pull.mobility > 0)
+    apply_impulse(pull, (pull.impulse * pull.normal + pull.friction_impulse).eval(), x);
+  return 0;
 }
 
 // One visit of one contact; returns how far it moved the sides, in metres, squared.
@@ -169,42 +178,22 @@ constexpr double settled = 0.01;  // of the thickness
 }  // namespace
 
 Response begin_response(const ContactGeometry& geometry, const std::vector<Contact>& contacts,
-                        const std::vector<Vec3>& start) {
+                        double farthest, const std::vector<Vec3>& start) {
   Response response{group_contacts(geometry, start, contacts), std::vector<Pull>(contacts.size()), {}};
   parallel_collect(contacts.size(), 512, response.at_colliders,
                    [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& at_colliders) {
                      for (std::size_t i = begin; i < end; ++i) {
                        const Contact& contact = contacts[response.groups.order[i]];
-                       response.pulls[i] = make_pull(geometry, contact, start);
+                       response.pulls[i] = make_pull(geometry, contact, farthest, start);
                        if (contact.meets_collider) at_colliders.push_back(i);
                      }
                    });
   return response;
 }
 
-void start_with(const std::vector<ContactImpulse>& impulses, double farthest, Response& response,
-                std::vector<Vec3>& x) {
-  const std::vector<int>& order = response.groups.order;
-  parallel_for_each(order.size(), 512,
-                    [&](std::size_t i) { recall(impulses[order[i]], farthest, response.pulls[i]); });
-  const auto visit = [](Pull& pull, std::vector<Vec4>& places) {
-    if (pull.impulse > 0)
-      apply_impulse(pull, (pull.impulse * pull.normal + pull.friction_impulse).eval(), places);
-    return 0.0;
-  };
-  sweep_points(1, 0, visit, response, x);
-}
-
-std::vector<ContactImpulse> impulses_of(const Response& response) {
-  std::vector<ContactImpulse> impulses(response.pulls.size());
-  parallel_for_each(impulses.size(), 512, [&](std::size_t i) {
-    const Pull& pull = response.pulls[i];
-    impulses[response.groups.order[i]] = {pull.impulse, pull.friction_impulse.head<3>()};
-  });
-  return impulses;
-}
-
 void resolve_contacts(double thickness, Response& response, std::vector<Vec3>& x) {
+  sweep_points(1, 0, [](Pull& pull, std::vector<Vec4>& places) { return hold_again(pull, places); }, response,
+               x);
   const auto visit = [](Pull& pull, std::vector<Vec4>& places) { return solve(pull, places); };
   sweep_points(most_sweeps, settled * thickness, visit, response, x);
 }
@@ -227,15 +216,27 @@ bool keep_off_colliders(double thickness, const Response& response, std::vector<
   return moved_any;
 }
 
-std::vector<Vec3> pushed_ways(const Response& response, const std::vector<Vec3>& end) {
+std::vector<Vec3> pushed_ways(std::int64_t pause, Response& response, const std::vector<Vec3>& end) {
+  constexpr double in_vain = 0.9;  // of the push, that its sides have parted
   std::vector<Vec3> ways(end.size(), Vec3::Zero());
-  for (const Pull& pull : response.pulls) {
-    if (pull.push_impulse == 0) continue;
+  const auto visit = [&](Pull& pull) {
+    if (pull.push_impulse == 0) return 0.0;
     const Vec3 way = weighted_sum(pull, end) - pull.origin.head<3>(), normal = pull.normal.head<3>();
     const double share = std::clamp(normal.dot(way) / (pull.push_impulse * pull.mobility), 0.0, 1.0);
+    if (share < in_vain) pull.steps_to_push = pause;
     apply_impulse(pull, Vec3(share * pull.push_impulse * normal), ways);
-  }
+    return 0.0;
+  };
+  sweep_groups(Sweeps<decltype(visit)>{1, 0, visit}, response);
   return ways;
+}
+
+void store_memories(const Response& response, std::vector<Contact>& contacts) {
+  parallel_for_each(response.pulls.size(), 512, [&](std::size_t i) {
+    const Pull& pull = response.pulls[i];
+    contacts[response.groups.order[i]].memory = {pull.impulse, pull.friction_impulse.head<3>(),
+                                                 pull.steps_to_push};
+  });
 }
 
 }  // namespace drape

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "contact/active_contacts.h"
 #include "contact/collision_groups.h"
-#include "contact/held_impulses.h"
 #include "core/vector.h"
 
 namespace drape {
@@ -19,8 +19,9 @@ struct Pull {
   double effective_mass;        // its inverse
   double target, push_target;   // m: as the contact's
   double friction;
-  double impulse;       // lambda: kg m, never negative
+  double impulse;       // lambda: kg m, never negative; at first what held the contact in the last step
   double push_impulse;  // kg m: the push's
+  std::int64_t steps_to_push;  // as in ContactMemory, for the next step
   Vec4 weights, normal;
   Vec4 responses;  // how far each vertex goes under a unit impulse, in 1/kg
   Vec4 origin;     // m: where the sides were to each other at the start, less what turns with a collider
@@ -34,18 +35,11 @@ struct Response {
   std::vector<std::size_t> at_colliders;  // those with a collider or a plane
 };
 
+// Each contact starts with what its memory says held it: that is much the same where things rest, and from
+// there on few sweeps are enough. But with no more than parts its sides by `farthest` metres: what stopped a
+// blow is larger, and asked for again it would throw a pile back up faster than the sweeps can take it back.
 Response begin_response(const ContactGeometry& geometry, const std::vector<Contact>& contacts,
-                        const std::vector<Vec3>& start);
-
-// Moves x by the impulses that held each contact in the step before: those that hold it now are much the same
-// where things rest, and from there on few sweeps are enough. Of each no more than parts its sides by
-// `farthest` metres: what stopped a blow is larger, and asked for again it would throw a pile back up faster
-// than the sweeps can take it back.
-void start_with(const std::vector<ContactImpulse>& impulses, double farthest, Response& response,
-                std::vector<Vec3>& x);
-
-// Of each contact.
-std::vector<ContactImpulse> impulses_of(const Response& response);
+                        double farthest, const std::vector<Vec3>& start);
 
 // Moves the step's end positions x so that every contact keeps its target: iterated, local,
 // momentum-conserving pulls (after Spillmann and Teschner 2008), as projected Gauss-Seidel on the accumulated
@@ -64,7 +58,12 @@ bool keep_off_colliders(double thickness, const Response& response, std::vector<
 
 // What of the vertices' ways from the start to `end` was such a push and must not go into the velocities, in
 // m: of each contact as much as its sides have really parted. Where something pushes them together again, the
-// push is no way, and to take it from the velocity would leave one with which nothing moves.
-std::vector<Vec3> pushed_ways(const Response& response, const std::vector<Vec3>& end);
+// push is no way, and to take it from the velocity would leave one with which nothing moves. Such a contact is
+// left alone for the next `pause` steps: where there is no room, pushes go round for ever, and what they press
+// together leaves with a velocity, so that a pile at rest would buzz.
+std::vector<Vec3> pushed_ways(std::int64_t pause, Response& response, const std::vector<Vec3>& end);
+
+// Writes what the contacts are to keep for the next step.
+void store_memories(const Response& response, std::vector<Contact>& contacts);
 
 }  // namespace drape

@@ -72,7 +72,7 @@ static std::vector<double> counting_lengths(const Sheet& sheet) {
 }
 
 double longest_elastic_step(const Sheet& sheet) {
-  constexpr double edges_crossed = 8, visible_speed = 30, bending_phase = 0.1;
+  constexpr double edges_crossed = 12, visible_speed = 30, bending_phase = 0.1;
   const std::vector<double> lengths = counting_lengths(sheet);
   double longest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < lengths.size(); ++i) {

@@ -81,7 +81,7 @@ std::uint64_t state_hash(const State& state) {
   hasher.add(state.collider_times.data(), state.collider_times.size() * sizeof(double));
   add_vectors(hasher, state.grabs);
   hasher.add(state.seam_lengths.data(), state.seam_lengths.size() * sizeof(double));
-  hasher.add(state.held_impulses.data(), state.held_impulses.size() * sizeof(HeldImpulse));
+  hasher.add(state.remembered_contacts.data(), state.remembered_contacts.size() * sizeof(RememberedContact));
   return hasher.digest();
 }
 

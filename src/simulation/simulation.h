@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "contact/held_impulses.h"
+#include "contact/contact_memory.h"
 #include "core/profile.h"
 #include "simulation/input.h"
 
@@ -21,7 +21,7 @@ struct State {
   std::vector<RigidPose> collider_poses;  // the poses at these times: what is drawn
   std::vector<Vec3> grabs;                // where the vertices of all pins were grabbed (pins.h); zero before
   std::vector<double> seam_lengths;       // m: how long the threads of all seams were at first; zero before
-  std::vector<HeldImpulse> held_impulses;  // what held contacts in the last step, which the next starts with
+  std::vector<RememberedContact> remembered_contacts;  // what held contacts in the last step, which the next starts with
 };
 std::uint64_t state_hash(const State& state);
 

@@ -118,7 +118,7 @@ ContactStepResult advance_step(const World& world, double time, State& state, Sc
   check_finite(scratch.end);
   const ContactStepResult contact =
       step_contacts(world.geometry, world.contact_settings, scratch.bodies, scratch.start, scratch.proximity,
-                    state.held_impulses, profile, scratch.end);
+                    state.remembered_contacts, profile, scratch.end);
   check_finite(scratch.end);
   timed(profile, Phase::other, [&] { integrate(world, contact, state, scratch); });
   return contact;
