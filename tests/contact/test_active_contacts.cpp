@@ -59,10 +59,16 @@ TEST(ActiveContacts, OldOverlapHealsSlowlyAndIsNoVelocity) {
   }
 }
 
-TEST(ActiveContacts, OverlapHealsToHalfTheThicknessAndNoFurther) {
-  EXPECT_GT(active(approaching(0.0045, 0.0045)).at(0).push_target, 0.0046);
-  EXPECT_NEAR(active(approaching(0.0049999, 0.0049999)).at(0).push_target, 0.5 * thickness, 1e-15);
-  EXPECT_NEAR(active(approaching(0.006, 0.006)).at(0).push_target, 0.006, 1e-15);
+TEST(ActiveContacts, OverlapHealsToNineTenthsOfTheThicknessAndNoFurther) {
+  EXPECT_GT(active(approaching(0.0085, 0.0085)).at(0).push_target, 0.0086);
+  EXPECT_NEAR(active(approaching(0.0089999, 0.0089999)).at(0).push_target, 0.9 * thickness, 1e-15);
+  EXPECT_NEAR(active(approaching(0.0095, 0.0095)).at(0).push_target, 0.0095, 1e-15);
+}
+
+TEST(ActiveContacts, OverlapWhosePushesArePausedHealsToAFifthOfTheThickness) {
+  EXPECT_GT(active(approaching(0.0015, 0.0015)).at(0).paused_push_target, 0.0016);
+  EXPECT_NEAR(active(approaching(0.0019999, 0.0019999)).at(0).paused_push_target, 0.2 * thickness, 1e-15);
+  EXPECT_NEAR(active(approaching(0.0085, 0.0085)).at(0).paused_push_target, 0.0085, 1e-15);
 }
 
 TEST(ActiveContacts, WeightsAreBarycentricAndTheirSumIsZero) {

@@ -12,16 +12,16 @@ using test::Scene;
 
 constexpr double thickness = 0.01, step = 0.001;
 
-ContactStepResult advance(Scene& scene, std::vector<HeldImpulse>& held) {
+ContactStepResult advance(Scene& scene, std::vector<RememberedContact>& remembered) {
   Proximity proximity = start_proximity(scene.geometry);
   Profile profile;
   return step_contacts(scene.geometry, contact_settings(scene.geometry, step), scene.bodies, scene.start,
-                       proximity, held, profile, scene.end);
+                       proximity, remembered, profile, scene.end);
 }
 
 ContactStepResult advance(Scene& scene) {
-  std::vector<HeldImpulse> nothing_held;
-  return advance(scene, nothing_held);
+  std::vector<RememberedContact> nothing;
+  return advance(scene, nothing);
 }
 
 Scene layers(const std::vector<double>& heights) {
@@ -71,19 +71,57 @@ TEST(ContactStep, WhatHeldAStackInTheLastStepHoldsItInTheNext) {
   scene.add_plane();
   for (int cloth = 0; cloth < 8; ++cloth) lower(scene, cloth, 5e-5);
   const std::vector<Vec3> wanted = scene.end;
-  std::vector<HeldImpulse> held;
+  std::vector<RememberedContact> remembered;
   const auto sag = [&] {
     scene.end = wanted;
-    advance(scene, held);
+    advance(scene, remembered);
     double farthest = 0;
     for (std::size_t v = 0; v < scene.end.size(); ++v)
       farthest = std::max(farthest, scene.start[v].y() - scene.end[v].y());
     return farthest;
   };
   const double first = sag();
-  EXPECT_FALSE(held.empty());
+  EXPECT_FALSE(remembered.empty());
   for (int again = 0; again < 10; ++again) sag();
   EXPECT_LT(sag(), 0.8 * first);
+}
+
+std::vector<double> heights_after(int steps, Scene& scene, std::vector<RememberedContact>& remembered) {
+  for (int i = 0; i < steps; ++i) {
+    scene.start = scene.end;
+    advance(scene, remembered);
+  }
+  std::vector<double> heights;
+  for (std::size_t v = 0; v < scene.end.size(); v += 3) heights.push_back(scene.end[v].y());
+  return heights;
+}
+
+TEST(ContactStep, LayersThatHaveRoomArePushedNearlyTheirThicknessApart) {
+  Scene scene = layers({0, 0.003});
+  std::vector<RememberedContact> remembered;
+  const std::vector<double> heights = heights_after(60, scene, remembered);
+  EXPECT_NEAR(heights[1] - heights[0], 0.9 * thickness, 1e-4);
+}
+
+// One between two that stay, where both would push it. After some vain pushes it is left alone for a quarter of a second.
+TEST(ContactStep, ALayerThatHasNoRoomIsLeftAlone) {
+  Scene scene = layers({0, 0.006, 0.013});
+  for (int v = 0; v < 9; ++v)
+    if (v < 3 || v >= 6) scene.geometry.inverse_masses[v] = 0;
+  std::vector<RememberedContact> remembered;
+  const std::vector<double> settled = heights_after(5, scene, remembered);
+  EXPECT_NE(settled[1], 0.006);
+  EXPECT_EQ(heights_after(240, scene, remembered), settled);
+  EXPECT_NE(heights_after(10, scene, remembered), settled);
+}
+
+// Paused or not, what comes as near as this is pushed apart: the fail-safe is for what nothing else helps.
+TEST(ContactStep, ALayerThatHasNoRoomKeepsAFifthOfItsThickness) {
+  Scene scene = layers({0, 0.0005, 0.013});
+  for (int v = 0; v < 9; ++v)
+    if (v < 3 || v >= 6) scene.geometry.inverse_masses[v] = 0;
+  std::vector<RememberedContact> remembered;
+  EXPECT_GT(heights_after(100, scene, remembered)[1], 0.0019);
 }
 
 TEST(ContactStep, WhereNothingCanGiveWayTheFailSafeHoldsIt) {

@@ -31,7 +31,7 @@ State a_state() {
   state.collider_poses = {a_pose()};
   state.grabs = {{7, 8, 9}};
   state.seam_lengths = {0.5, 0.25};
-  state.held_impulses = {{{1, 2}, {3, 4, 5, 6}, 1, {1e-9, {1, 2, 1e-300}}}};
+  state.remembered_contacts = {{{1, 2}, {3, 4, 5, 6}, 1, {1e-9, {1, 2, 1e-300}, 7}}};
   for (int i = 0; i < 500; ++i) {
     state.positions.emplace_back(i / 3.0, -i, 1e-300 * i);
     state.velocities.emplace_back(i, 0.1 * i, -0.0);
@@ -182,7 +182,7 @@ TEST(CachedFrames, OfAnotherVersion) {
   folder.write("frame_0007.drape", forged(read_file(folder / "frame_0007.drape"), 16, 1, 4));
   EXPECT_EQ(failure(folder),
             (folder / "frame_0007.drape").string() +
-                ": has version 1 of the cache's format, and this program reads 4; run 'drape "
+                ": has version 1 of the cache's format, and this program reads 5; run 'drape "
                 "simulate' again");
 }
 
@@ -198,8 +198,8 @@ TEST(Checkpoints, ComeBackBitForBit) {
   EXPECT_EQ(same->collider_times, state.collider_times);
   EXPECT_EQ(same->grabs, state.grabs);
   EXPECT_EQ(same->seam_lengths, state.seam_lengths);
-  ASSERT_EQ(same->held_impulses.size(), 1u);
-  EXPECT_EQ(std::memcmp(same->held_impulses.data(), state.held_impulses.data(), sizeof(HeldImpulse)), 0);
+  ASSERT_EQ(same->remembered_contacts.size(), 1u);
+  EXPECT_EQ(std::memcmp(same->remembered_contacts.data(), state.remembered_contacts.data(), sizeof(RememberedContact)), 0);
   ASSERT_EQ(same->velocities.size(), state.velocities.size());
   EXPECT_EQ(
       std::memcmp(same->velocities.data(), state.velocities.data(), state.velocities.size() * sizeof(Vec3)),
