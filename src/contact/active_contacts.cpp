@@ -11,7 +11,7 @@ namespace {
 
 // How far old overlap heals, in shares of the thickness: what lies nearly at its distance is left alone. Where
 // pushes are in vain they go on only for what comes so near that the fail-safe would hold it.
-constexpr double healed_share = 0.9, paused_share = 0.2;
+constexpr double healed_share = 0.9, paused_share = 0.05;
 
 double healed_distance(const NarrowPhase& phase, double share, double thickness, double distance) {
   const double healed = std::min(share * thickness, distance + phase.healing * thickness);

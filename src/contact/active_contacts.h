@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "contact/contact_geometry.h"
-#include "contact/contact_memory.h"
 #include "contact/proximity.h"
 
 namespace drape {
@@ -28,7 +27,6 @@ struct Contact {
   double paused_push_target;  // m: the same while its pushes are paused
   double friction;
   Vec3 turn;  // m: what the turning of a rounded or plane collider adds to the sides' relative motion
-  ContactMemory memory;
 };
 
 // Where a body is at the start and the end of the step; cloths have none.

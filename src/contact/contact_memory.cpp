@@ -11,7 +11,9 @@ namespace {
 constexpr std::size_t block = 512;
 
 bool is_same(const RememberedContact& remembered, const Contact& contact) {
-  return remembered.kind == contact.kind && remembered.vertices == contact.vertices;
+  // Not `==`, which calls memcmp for so little.
+  const auto &a = remembered.vertices, &b = contact.vertices;
+  return remembered.kind == contact.kind && a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && a[3] == b[3];
 }
 
 using Iterator = std::vector<RememberedContact>::const_iterator;
@@ -25,14 +27,15 @@ Iterator find(const Contact& contact, Iterator at, Iterator end) {
 
 }  // namespace
 
-std::vector<RememberedContact> remember(const std::vector<Contact>& contacts) {
+std::vector<RememberedContact> remember(const std::vector<Contact>& contacts,
+                                        const std::vector<ContactMemory>& memories) {
   std::vector<RememberedContact> remembered;
   parallel_collect(contacts.size(), block, remembered,
                    [&](std::size_t begin, std::size_t end, std::vector<RememberedContact>& out) {
                      for (std::size_t i = begin; i < end; ++i) {
-                       const Contact& contact = contacts[i];
-                       if (contact.memory.impulse > 0 || contact.memory.steps_to_push > 0)
-                         out.push_back({contact.place, contact.vertices, contact.kind, contact.memory});
+                       const ContactMemory& memory = memories[i];
+                       if (memory.impulse > 0 || memory.steps_to_push > 0)
+                         out.push_back({contacts[i].place, contacts[i].vertices, contacts[i].kind, memory});
                      }
                    });
   return remembered;
@@ -40,17 +43,21 @@ std::vector<RememberedContact> remember(const std::vector<Contact>& contacts) {
 
 // Both are in the order of their places, and for the same place in that of their primitives, whichever are
 // there: one walk through both finds all.
-void recall(const std::vector<RememberedContact>& remembered, std::vector<Contact>& contacts) {
+std::vector<ContactMemory> recall(const std::vector<RememberedContact>& remembered,
+                                  const std::vector<Contact>& contacts) {
+  std::vector<ContactMemory> memories(contacts.size(), ContactMemory{0, Vec3::Zero(), 0});
   const auto precedes = [](const RememberedContact& a, const std::array<int, 2>& b) { return a.place < b; };
   parallel_blocks(contacts.size(), block, [&](std::size_t begin, std::size_t end, std::size_t) {
     Iterator at = std::lower_bound(remembered.begin(), remembered.end(), contacts[begin].place, precedes);
     for (std::size_t i = begin; i < end; ++i) {
       while (at != remembered.end() && at->place < contacts[i].place) ++at;
       const Iterator found = find(contacts[i], at, remembered.end());
-      contacts[i].memory = found != remembered.end() ? found->memory : ContactMemory{0, Vec3::Zero(), 0};
-      if (found != remembered.end()) at = found + 1;
+      if (found == remembered.end()) continue;
+      memories[i] = found->memory;
+      at = found + 1;
     }
   });
+  return memories;
 }
 
 }  // namespace drape

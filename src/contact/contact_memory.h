@@ -26,10 +26,12 @@ struct RememberedContact {
 };
 static_assert(sizeof(RememberedContact) == 72, "no gaps: hashed and written as it lies in memory");
 
-// The contacts that something holds or that are not to be pushed, in their order.
-std::vector<RememberedContact> remember(const std::vector<Contact>& contacts);
+// The contacts that something holds or that are not to be pushed, in their order; `memories` are of each.
+std::vector<RememberedContact> remember(const std::vector<Contact>& contacts,
+                                        const std::vector<ContactMemory>& memories);
 
-// Gives each of the contacts its memory of the step before, or an empty one.
-void recall(const std::vector<RememberedContact>& remembered, std::vector<Contact>& contacts);
+// What each of the contacts keeps of the step before; zeros where it keeps nothing.
+std::vector<ContactMemory> recall(const std::vector<RememberedContact>& remembered,
+                                  const std::vector<Contact>& contacts);
 
 }  // namespace drape

@@ -54,10 +54,12 @@ void keep_to_limits(const Step& step, const Response& response) {
   }
 }
 
-Response respond(const Step& step, const std::vector<Contact>& contacts) {
+Response respond(const Step& step, const std::vector<RememberedContact>& remembered,
+                 const std::vector<Contact>& contacts) {
   return timed(step.profile, Phase::response, [&] {
     Response response =
-        begin_response(step.phase.geometry, contacts, step.settings.held_way, step.phase.motion.start);
+        begin_response(step.phase.geometry, contacts, recall(remembered, contacts), step.settings.held_way,
+                       step.phase.motion.start);
     resolve_contacts(step.settings.largest_thickness, response, step.end);
     push_apart(response, step.end);
     keep_to_limits(step, response);
@@ -81,7 +83,7 @@ FailSafeResult let_nothing_through(const Step& step) {
 void resolve_anew(const Step& step, bool with_limits) {
   const std::vector<Contact> contacts = find_contacts(step);
   timed(step.profile, Phase::response, [&] {
-    Response response = begin_response(step.phase.geometry, contacts, 0, step.phase.motion.start);
+    Response response = begin_response(step.phase.geometry, contacts, {}, 0, step.phase.motion.start);
     resolve_contacts(step.settings.largest_thickness, response, step.end);
     if (with_limits) keep_to_limits(step, response);
   });
@@ -131,16 +133,14 @@ ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSe
   const NarrowPhase phase{geometry, bodies, {start, end}, settings.healing};
   const Step step{phase, settings, proximity, profile, end};
   find_pairs(step);
-  std::vector<Contact> contacts = find_contacts(step);
-  recall(remembered, contacts);
-  Response response = respond(step, contacts);
+  const std::vector<Contact> contacts = find_contacts(step);
+  Response response = respond(step, remembered, contacts);
   const FailSafeResult reached = settle(step);
   ContactStepResult result;
   result.contacts = static_cast<int>(contacts.size());
   result.push = timed(profile, Phase::response, [&] {
     std::vector<Vec3> ways = pushed_ways(settings.push_pause, response, end);
-    store_memories(response, contacts);
-    remembered = remember(contacts);
+    remembered = remember(contacts, memories_of(response));
     return ways;
   });
   result.body_progress = reached.body_progress;

@@ -9,15 +9,17 @@
 namespace drape {
 namespace {
 
-// Returns whether it had to.
+bool is_within(const EdgeLimits::Edge& edge, const std::vector<Vec3>& x) {
+  const double squared_length = (x[edge.vertices[1]] - x[edge.vertices[0]]).squaredNorm();
+  return squared_length <= edge.longest * edge.longest && squared_length >= edge.shortest * edge.shortest;
+}
+
+// Returns whether it could.
 bool pull_edge(const EdgeLimits::Edge& edge, const std::vector<double>& inverse_masses,
                std::vector<Vec3>& x) {
   const auto& [a, b] = edge.vertices;
   const Vec3 way = x[b] - x[a];
-  const double squared_length = way.squaredNorm(), response = inverse_masses[a] + inverse_masses[b];
-  if (squared_length <= edge.longest * edge.longest && squared_length >= edge.shortest * edge.shortest)
-    return false;
-  const double length = std::sqrt(squared_length);
+  const double length = way.norm(), response = inverse_masses[a] + inverse_masses[b];
   if (!(response > 0 && length > 0)) return false;
   const double excess = length - std::clamp(length, edge.shortest, edge.longest);
   const Vec3 pull = excess / (length * response) * way;
@@ -40,7 +42,9 @@ bool sweep(const EdgeLimits& limits, const std::vector<double>& inverse_masses, 
     parallel_for_each(limits.color_begin[color + 1] - begin, block, [&](std::size_t i) {
       const EdgeLimits::Edge& edge = limits.edges[begin + i];
       const auto& [a, b] = edge.vertices;
-      if (std::max(last_moves[a], last_moves[b]) + 1 < number || !pull_edge(edge, inverse_masses, x)) return;
+      if (std::max(last_moves[a], last_moves[b]) + 1 < number || is_within(edge, x) ||
+          !pull_edge(edge, inverse_masses, x))
+        return;
       last_moves[a] = last_moves[b] = number;
       pulled.store(true, std::memory_order_relaxed);
     });

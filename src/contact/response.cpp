@@ -46,12 +46,12 @@ void start_with(const ContactMemory& memory, double farthest, Pull& pull) {
   pull.steps_to_push = std::max<std::int64_t>(memory.steps_to_push - 1, 0);
 }
 
-Pull make_pull(const ContactGeometry& geometry, const Contact& contact, double farthest,
-               const std::vector<Vec3>& start) {
+Pull make_pull(const ContactGeometry& geometry, const Contact& contact, const ContactMemory& memory,
+               double farthest, const std::vector<Vec3>& start) {
   Pull pull;
   pull.vertices = vertices_that_count(contact);
   pull.target = contact.target;
-  pull.push_target = contact.memory.steps_to_push > 0 ? contact.paused_push_target : contact.push_target;
+  pull.push_target = memory.steps_to_push > 0 ? contact.paused_push_target : contact.push_target;
   pull.friction = contact.friction;
   pull.normal = padded(contact.normal);
   pull.push_impulse = pull.mobility = 0;
@@ -62,7 +62,7 @@ Pull make_pull(const ContactGeometry& geometry, const Contact& contact, double f
   }
   pull.effective_mass = pull.mobility > 0 ? 1 / pull.mobility : 0;
   pull.origin = padded(weighted_sum(pull, start) - contact.turn);
-  start_with(contact.memory, farthest, pull);
+  start_with(memory, farthest, pull);
   return pull;
 }
 
@@ -178,13 +178,17 @@ constexpr double settled = 0.01;  // of the thickness
 }  // namespace
 
 Response begin_response(const ContactGeometry& geometry, const std::vector<Contact>& contacts,
-                        double farthest, const std::vector<Vec3>& start) {
+                        const std::vector<ContactMemory>& memories, double farthest,
+                        const std::vector<Vec3>& start) {
+  const ContactMemory nothing{0, Vec3::Zero(), 0};
   Response response{group_contacts(geometry, start, contacts), std::vector<Pull>(contacts.size()), {}};
   parallel_collect(contacts.size(), 512, response.at_colliders,
                    [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& at_colliders) {
                      for (std::size_t i = begin; i < end; ++i) {
-                       const Contact& contact = contacts[response.groups.order[i]];
-                       response.pulls[i] = make_pull(geometry, contact, farthest, start);
+                       const int c = response.groups.order[i];
+                       const Contact& contact = contacts[c];
+                       response.pulls[i] = make_pull(
+                           geometry, contact, memories.empty() ? nothing : memories[c], farthest, start);
                        if (contact.meets_collider) at_colliders.push_back(i);
                      }
                    });
@@ -231,12 +235,13 @@ std::vector<Vec3> pushed_ways(std::int64_t pause, Response& response, const std:
   return ways;
 }
 
-void store_memories(const Response& response, std::vector<Contact>& contacts) {
-  parallel_for_each(response.pulls.size(), 512, [&](std::size_t i) {
+std::vector<ContactMemory> memories_of(const Response& response) {
+  std::vector<ContactMemory> memories(response.pulls.size());
+  parallel_for_each(memories.size(), 512, [&](std::size_t i) {
     const Pull& pull = response.pulls[i];
-    contacts[response.groups.order[i]].memory = {pull.impulse, pull.friction_impulse.head<3>(),
-                                                 pull.steps_to_push};
+    memories[response.groups.order[i]] = {pull.impulse, pull.friction_impulse.head<3>(), pull.steps_to_push};
   });
+  return memories;
 }
 
 }  // namespace drape

@@ -6,6 +6,7 @@
 
 #include "contact/active_contacts.h"
 #include "contact/collision_groups.h"
+#include "contact/contact_memory.h"
 #include "core/vector.h"
 
 namespace drape {
@@ -35,11 +36,12 @@ struct Response {
   std::vector<std::size_t> at_colliders;  // those with a collider or a plane
 };
 
-// Each contact starts with what its memory says held it: that is much the same where things rest, and from
+// Each contact starts with what its memory says held it (`memories` may be empty): that is much the same where things rest, and from
 // there on few sweeps are enough. But with no more than parts its sides by `farthest` metres: what stopped a
 // blow is larger, and asked for again it would throw a pile back up faster than the sweeps can take it back.
 Response begin_response(const ContactGeometry& geometry, const std::vector<Contact>& contacts,
-                        double farthest, const std::vector<Vec3>& start);
+                        const std::vector<ContactMemory>& memories, double farthest,
+                        const std::vector<Vec3>& start);
 
 // Moves the step's end positions x so that every contact keeps its target: iterated, local,
 // momentum-conserving pulls (after Spillmann and Teschner 2008), as projected Gauss-Seidel on the accumulated
@@ -63,7 +65,7 @@ bool keep_off_colliders(double thickness, const Response& response, std::vector<
 // together leaves with a velocity, so that a pile at rest would buzz.
 std::vector<Vec3> pushed_ways(std::int64_t pause, Response& response, const std::vector<Vec3>& end);
 
-// Writes what the contacts are to keep for the next step.
-void store_memories(const Response& response, std::vector<Contact>& contacts);
+// What each of the contacts is to keep for the next step.
+std::vector<ContactMemory> memories_of(const Response& response);
 
 }  // namespace drape

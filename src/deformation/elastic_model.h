@@ -23,7 +23,7 @@ struct ElasticModel {
 // The longest step that the materials of a sheet want, in seconds. What one sweep leaves undone grows with
 // the square of the step, counted in what a wave does in it: of stretch, sqrt(k / rho) h / l edges crossed
 // (fibres carry far, so a few do no harm where stretch is too small to be seen, but where its waves are
-// slower than 240 m/s, fewer); of bending at the scale of the mesh, the phase sqrt(B / rho) h / l2.
+// slower than 360 m/s, fewer); of bending at the scale of the mesh, the phase sqrt(B / rho) h / l2.
 double longest_elastic_step(const Sheet& sheet);
 
 // Pinned points weigh 1e4 times their mass where rotations are matched, so that triangles turn about them.

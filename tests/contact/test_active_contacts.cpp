@@ -65,9 +65,9 @@ TEST(ActiveContacts, OverlapHealsToNineTenthsOfTheThicknessAndNoFurther) {
   EXPECT_NEAR(active(approaching(0.0095, 0.0095)).at(0).push_target, 0.0095, 1e-15);
 }
 
-TEST(ActiveContacts, OverlapWhosePushesArePausedHealsToAFifthOfTheThickness) {
-  EXPECT_GT(active(approaching(0.0015, 0.0015)).at(0).paused_push_target, 0.0016);
-  EXPECT_NEAR(active(approaching(0.0019999, 0.0019999)).at(0).paused_push_target, 0.2 * thickness, 1e-15);
+TEST(ActiveContacts, OverlapWhosePushesArePausedHealsToATwentiethOfTheThickness) {
+  EXPECT_GT(active(approaching(0.0003, 0.0003)).at(0).paused_push_target, 0.0004);
+  EXPECT_NEAR(active(approaching(0.0004999, 0.0004999)).at(0).paused_push_target, 0.05 * thickness, 1e-15);
   EXPECT_NEAR(active(approaching(0.0085, 0.0085)).at(0).paused_push_target, 0.0085, 1e-15);
 }
 

@@ -68,7 +68,7 @@ Vec3 sliding(const Pull& pull, const Scene& scene) {
 std::vector<Pull> resolve(Scene& scene) { return test::resolve(scene, active(scene), thickness); }
 
 Response push(Scene& scene, const std::vector<Contact>& contacts) {
-  Response response = begin_response(scene.geometry, contacts, 1, scene.start);
+  Response response = begin_response(scene.geometry, contacts, {}, 1, scene.start);
   push_apart(response, scene.end);
   return response;
 }
@@ -218,7 +218,7 @@ TEST(Response, OnlyWhatIsTooNearACollidersSurfaceIsKeptOff) {
   scene.add_plane();
   std::vector<Contact> contacts = active(scene);
   find_plane_contacts(scene.phase(), contacts);
-  Response response = begin_response(scene.geometry, contacts, 1, scene.start);
+  Response response = begin_response(scene.geometry, contacts, {}, 1, scene.start);
   resolve_contacts(thickness, response, scene.end);
   for (int v = 0; v < 3; ++v) scene.end[v].y() = 0.004;
   for (int v = 3; v < 6; ++v) scene.end[v].y() = 0.006;
@@ -232,14 +232,13 @@ TEST(Response, OnlyWhatIsTooNearACollidersSurfaceIsKeptOff) {
 TEST(Response, AStepLikeTheOneBeforeNeedsNothingButItsImpulses) {
   for (const double friction : {0.0, 0.5}) {
     Scene scene = colliding(5, friction, {0.03, 0, 0.01});
-    std::vector<Contact> contacts = active(scene);
+    const std::vector<Contact> contacts = active(scene);
     const std::vector<Vec3> wanted = scene.end;
-    Response first = begin_response(scene.geometry, contacts, 1, scene.start);
+    Response first = begin_response(scene.geometry, contacts, {}, 1, scene.start);
     resolve_contacts(1e-12, first, scene.end);
     const std::vector<Vec3> resolved = scene.end;
     ASSERT_NE(resolved, wanted);
-    store_memories(first, contacts);
-    Response again = begin_response(scene.geometry, contacts, 1, scene.start);
+    Response again = begin_response(scene.geometry, contacts, memories_of(first), 1, scene.start);
     scene.end = wanted;
     resolve_contacts(1e-12, again, scene.end);
     for (std::size_t i = 0; i < contacts.size(); ++i)
@@ -250,12 +249,12 @@ TEST(Response, AStepLikeTheOneBeforeNeedsNothingButItsImpulses) {
 
 TEST(Response, ABlowIsNotAskedForAgain) {
   Scene scene = colliding(5, 0.5, {0.03, 0, 0.01});
-  std::vector<Contact> contacts = active(scene);
-  Response blow = begin_response(scene.geometry, contacts, 1, scene.start);
+  const std::vector<Contact> contacts = active(scene);
+  Response blow = begin_response(scene.geometry, contacts, {}, 1, scene.start);
   resolve_contacts(1e-12, blow, scene.end);
   constexpr double farthest = 1e-5;
-  store_memories(blow, contacts);
-  const Response after = begin_response(scene.geometry, contacts, farthest, scene.start);
+  const Response after =
+      begin_response(scene.geometry, contacts, memories_of(blow), farthest, scene.start);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Pull &before = blow.pulls[i], &now = after.pulls[i];
     EXPECT_NEAR(now.impulse * now.mobility, std::min(farthest, before.impulse * before.mobility), 1e-15);
@@ -266,12 +265,11 @@ TEST(Response, ABlowIsNotAskedForAgain) {
 // Cloth that was pressed on and no longer is: what held it gives way, and draws nothing near.
 TEST(Response, ImpulsesOfBeforeThatNothingNeedsAnyMoreAreTakenBack) {
   Scene scene = colliding(5, 0.5, {0.03, 0, 0.01});
-  std::vector<Contact> contacts = active(scene);
-  Response pressed = begin_response(scene.geometry, contacts, 1, scene.start);
+  const std::vector<Contact> contacts = active(scene);
+  Response pressed = begin_response(scene.geometry, contacts, {}, 1, scene.start);
   resolve_contacts(1e-12, pressed, scene.end);
   for (std::size_t v = 0; v < scene.end.size(); ++v) scene.end[v] = scene.start[v];
-  store_memories(pressed, contacts);
-  Response free = begin_response(scene.geometry, contacts, 1, scene.start);
+  Response free = begin_response(scene.geometry, contacts, memories_of(pressed), 1, scene.start);
   ASSERT_GT(free.pulls[0].impulse, 0);
   resolve_contacts(1e-12, free, scene.end);
   for (std::size_t v = 0; v < scene.end.size(); ++v)
@@ -311,7 +309,7 @@ TEST(Response, PartsOfALargeGroupGiveTheSameBitsWithAnyNumberOfThreads) {
     const ThreadLimit limit(threads);
     Scene scene = two_layers();
     const std::vector<Contact> contacts = active(scene);
-    const Response response = begin_response(scene.geometry, contacts, 1, scene.start);
+    const Response response = begin_response(scene.geometry, contacts, {}, 1, scene.start);
     ASSERT_FALSE(response.groups.groups.at(0).part_begin.empty());
     test::resolve(scene, contacts, thickness);
     results.push_back(scene.end);
