@@ -134,7 +134,14 @@ void examine_pairs(const NarrowPhase& phase, const Moment& moment, PatchPair& pa
     if (travelled >= patches.pairs[i].expiry)
       examine_pair(phase, moment, contact_pair(patches, i), patches.pairs[i].expiry, out);
   for (std::size_t i = found; i < out.size(); ++i) out[i].place = {patches.second, patches.first};
+  patches.contacts = out.size() - found;
   update_next(patches);
+}
+
+std::size_t contacts_of_last_look(const Proximity& proximity, std::size_t begin, std::size_t end) {
+  std::size_t count = 0;
+  for (std::size_t p = begin; p < end; ++p) count += proximity.pairs[p].contacts;
+  return count;
 }
 
 }  // namespace
@@ -144,6 +151,7 @@ void find_active_pairs(const NarrowPhase& phase, Proximity& proximity, std::vect
   parallel_collect(
       proximity.pairs.size(), block, contacts,
       [&](std::size_t begin, std::size_t end, std::vector<Contact>& out) {
+        out.reserve(contacts_of_last_look(proximity, begin, end));
         for (std::size_t p = begin; p < end; ++p) {
           PatchPair& patches = proximity.pairs[p];
           examine_pairs(phase, {patches.travelled, relative_way(proximity, patches)}, patches, out);

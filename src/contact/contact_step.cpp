@@ -25,32 +25,34 @@ double mean_cloth_edge(const ContactGeometry& geometry) {
 struct Step {
   const NarrowPhase& phase;
   const ContactSettings& settings;
-  Proximity& proximity;
+  ContactScratch& scratch;
   Profile& profile;
   std::vector<Vec3>& end;
 };
 
 void find_pairs(const Step& step) {
   timed(step.profile, Phase::broad, [&] {
-    update_proximity(step.phase.geometry, step.phase.motion, step.settings.margins, step.proximity);
+    update_proximity(step.phase.geometry, step.phase.motion, step.settings.margins, step.scratch.proximity);
   });
 }
 
-std::vector<Contact> find_contacts(const Step& step) {
-  return timed(step.profile, Phase::narrow, [&] {
-    std::vector<Contact> contacts;
-    find_active_pairs(step.phase, step.proximity, contacts);
+void find_contacts(const Step& step, std::vector<Contact>& contacts) {
+  timed(step.profile, Phase::narrow, [&] {
+    find_active_pairs(step.phase, step.scratch.proximity, contacts);
     find_plane_contacts(step.phase, contacts);
-    return contacts;
   });
 }
 
 // Colliders have the last word: these go on, whatever cloth would like.
 void keep_to_limits(const Step& step, const Response& response) {
   constexpr int most_rounds = 2;
+  RecentMoves moves{std::vector<unsigned char>(step.end.size(), 0), 0};
   for (int round = 0; round < most_rounds; ++round) {
-    pull_within_limits(step.settings.edge_limits, step.phase.geometry.inverse_masses, step.end);
-    if (!keep_off_colliders(step.settings.largest_thickness, response, step.end)) return;
+    pull_within_limits(step.settings.edge_limits, step.phase.geometry.inverse_masses, moves, step.end);
+    const std::vector<int> moved =
+        keep_off_colliders(step.settings.largest_thickness, response, step.end);
+    if (moved.empty()) return;
+    for (const int v : moved) moves.last_sweep[v] = moves.sweeps;
   }
 }
 
@@ -75,13 +77,14 @@ FailSafeResult let_go(const ContactGeometry& geometry) {
 FailSafeResult let_nothing_through(const Step& step) {
   find_pairs(step);
   return timed(step.profile, Phase::fail_safe, [&] {
-    return step.settings.fail_safe ? hold_back(step.phase, step.proximity, step.settings.least_gap, step.end)
+    return step.settings.fail_safe ? hold_back(step.phase, step.scratch.proximity, step.settings.least_gap, step.end)
                                    : let_go(step.phase.geometry);
   });
 }
 
 void resolve_anew(const Step& step, bool with_limits) {
-  const std::vector<Contact> contacts = find_contacts(step);
+  std::vector<Contact> contacts;
+  find_contacts(step, contacts);
   timed(step.profile, Phase::response, [&] {
     Response response = begin_response(step.phase.geometry, contacts, {}, 0, step.phase.motion.start);
     resolve_contacts(step.settings.largest_thickness, response, step.end);
@@ -122,18 +125,21 @@ ContactSettings contact_settings(const ContactGeometry& geometry, double step) {
   settings.healing = step / healing_time;
   settings.held_way = held_acceleration * step * step;
   settings.push_pause = static_cast<std::int64_t>(std::ceil(pause / step));
-  settings.margins = {0.2 * edge, 0.5 * edge, 0.5 * edge};
+  settings.margins = {0.2 * edge, 0.35 * edge, 0.5 * edge};
   return settings;
 }
 
+ContactScratch start_contacts(const ContactGeometry& geometry) { return {start_proximity(geometry), {}}; }
+
 ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSettings& settings,
                                 const std::vector<BodyMotion>& bodies, const std::vector<Vec3>& start,
-                                Proximity& proximity, std::vector<RememberedContact>& remembered, Profile& profile,
-                                std::vector<Vec3>& end) {
+                                ContactScratch& scratch, std::vector<RememberedContact>& remembered,
+                                Profile& profile, std::vector<Vec3>& end) {
   const NarrowPhase phase{geometry, bodies, {start, end}, settings.healing};
-  const Step step{phase, settings, proximity, profile, end};
+  const Step step{phase, settings, scratch, profile, end};
+  const std::vector<Contact>& contacts = scratch.contacts;
   find_pairs(step);
-  const std::vector<Contact> contacts = find_contacts(step);
+  find_contacts(step, scratch.contacts);
   Response response = respond(step, remembered, contacts);
   const FailSafeResult reached = settle(step);
   ContactStepResult result;
@@ -145,7 +151,7 @@ ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSe
   });
   result.body_progress = reached.body_progress;
   result.limited_vertices = reached.limited_vertices;
-  timed(profile, Phase::broad, [&] { follow_motion(phase.motion, proximity); });
+  timed(profile, Phase::broad, [&] { follow_motion(phase.motion, scratch.proximity); });
   return result;
 }
 

@@ -31,13 +31,19 @@ struct ContactStepResult {
   int limited_vertices = 0;
 };
 
+// Kept from step to step for speed alone: a new one gives the same.
+struct ContactScratch {
+  Proximity proximity;
+  std::vector<Contact> contacts;
+};
+ContactScratch start_contacts(const ContactGeometry& geometry);
+
 // Section 5 of the paper: x** -> x(t+h). `end` comes with the elastic positions of the cloths and the aims of
-// the colliders, and leaves with what they reach. `proximity` is the last step's; a new one gives the same.
-// `remembered` comes with what contacts keep of the last step, and leaves with what they keep of this one, but
-// for what is resolved again before the fail-safe.
+// the colliders, and leaves with what they reach. `remembered` comes with what contacts keep of the last step,
+// and leaves with what they keep of this one, but for what is resolved again before the fail-safe.
 ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSettings& settings,
                                 const std::vector<BodyMotion>& bodies, const std::vector<Vec3>& start,
-                                Proximity& proximity, std::vector<RememberedContact>& remembered, Profile& profile,
-                                std::vector<Vec3>& end);
+                                ContactScratch& scratch, std::vector<RememberedContact>& remembered,
+                                Profile& profile, std::vector<Vec3>& end);
 
 }  // namespace drape

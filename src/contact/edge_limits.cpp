@@ -28,24 +28,22 @@ bool pull_edge(const EdgeLimits::Edge& edge, const std::vector<double>& inverse_
   return true;
 }
 
-// The sweep in which each vertex was moved last. An edge that has not moved since it was looked at needs no
-// look: most of a cloth is within its limits.
-using LastMoves = std::vector<unsigned char>;
-
 // Returns whether any edge was out of its limits.
-bool sweep(const EdgeLimits& limits, const std::vector<double>& inverse_masses, unsigned char number,
-           LastMoves& last_moves, std::vector<Vec3>& x) {
+bool sweep(const EdgeLimits& limits, const std::vector<double>& inverse_masses, RecentMoves& moves,
+           std::vector<Vec3>& x) {
   constexpr std::size_t block = 2048;
   std::atomic<bool> pulled = false;
+  const unsigned char number = ++moves.sweeps;
+  std::vector<unsigned char>& last = moves.last_sweep;
   for (std::size_t color = 0; color + 1 < limits.color_begin.size(); ++color) {
     const std::size_t begin = limits.color_begin[color];
     parallel_for_each(limits.color_begin[color + 1] - begin, block, [&](std::size_t i) {
       const EdgeLimits::Edge& edge = limits.edges[begin + i];
       const auto& [a, b] = edge.vertices;
-      if (std::max(last_moves[a], last_moves[b]) + 1 < number || is_within(edge, x) ||
+      if (std::max(last[a], last[b]) + 1 < number || is_within(edge, x) ||
           !pull_edge(edge, inverse_masses, x))
         return;
-      last_moves[a] = last_moves[b] = number;
+      last[a] = last[b] = number;
       pulled.store(true, std::memory_order_relaxed);
     });
   }
@@ -55,11 +53,10 @@ bool sweep(const EdgeLimits& limits, const std::vector<double>& inverse_masses, 
 }  // namespace
 
 void pull_within_limits(const EdgeLimits& limits, const std::vector<double>& inverse_masses,
-                        std::vector<Vec3>& x) {
-  constexpr unsigned char most_sweeps = 5;
-  LastMoves last_moves(x.size(), 0);
-  for (unsigned char number = 1; number <= most_sweeps; ++number)
-    if (!sweep(limits, inverse_masses, number, last_moves, x)) return;
+                        RecentMoves& moves, std::vector<Vec3>& x) {
+  constexpr int most_sweeps = 5;
+  for (int i = 0; i < most_sweeps; ++i)
+    if (!sweep(limits, inverse_masses, moves, x)) return;
 }
 
 }  // namespace drape

@@ -32,6 +32,7 @@ struct PatchPair {
   double valid_until = -1;     // until then pairs that are not listed are out of reach
   double next_contact = 0;     // until then listed pairs are, too; the least of their expiries
   double next_collision = 0;   // until then they don't come near zero distance
+  std::size_t contacts = 0;    // how many it made when it was looked at last
 };
 
 // The i-th of the listed pairs.

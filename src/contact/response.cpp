@@ -115,13 +115,15 @@ double push(Pull& pull, std::vector<Vec4>& x) {
   return lack * lack;
 }
 
-// Returns how far it moved the sides.
-double keep_off(const Pull& pull, std::vector<Vec3>& x) {
+// Returns how far it moved the sides; appends the vertices that it moved.
+double keep_off(const Pull& pull, std::vector<Vec3>& x, std::vector<int>& moved) {
   const Vec3 normal = pull.normal.head<3>();
   const double target = pull.target + pull.push_impulse * pull.mobility;
   const double lack = target - normal.dot(weighted_sum(pull, x));
   if (!(pull.mobility > 0) || lack <= 0) return 0;
   apply_impulse(pull, (lack * pull.effective_mass * normal).eval(), x);
+  for (int i = 0; i < 4; ++i)
+    if (pull.responses[i] != 0) moved.push_back(pull.vertices[i]);
   return lack;
 }
 
@@ -208,16 +210,15 @@ void push_apart(Response& response, std::vector<Vec3>& x) {
   sweep_points(most_pushes, 0, visit, response, x);
 }
 
-bool keep_off_colliders(double thickness, const Response& response, std::vector<Vec3>& x) {
-  bool moved_any = false, moved = true;
-  for (int sweep = 0; sweep < most_sweeps && moved; ++sweep) {
+std::vector<int> keep_off_colliders(double thickness, const Response& response, std::vector<Vec3>& x) {
+  std::vector<int> moved;
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double farthest = 0;
     for (const std::size_t i : response.at_colliders)
-      farthest = std::max(farthest, keep_off(response.pulls[i], x));
-    moved_any |= farthest > 0;
-    moved = farthest > settled * thickness;
+      farthest = std::max(farthest, keep_off(response.pulls[i], x, moved));
+    if (farthest <= settled * thickness) break;
   }
-  return moved_any;
+  return moved;
 }
 
 std::vector<Vec3> pushed_ways(std::int64_t pause, Response& response, const std::vector<Vec3>& end) {

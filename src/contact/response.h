@@ -54,9 +54,9 @@ void resolve_contacts(double thickness, Response& response, std::vector<Vec3>& x
 void push_apart(Response& response, std::vector<Vec3>& x);
 
 // When other constraints have moved points after that: contacts with colliders keep their target and their
-// push again, along their normals. Returns whether that moved any. A collider goes on, whatever cloth would
-// like; cloth has a thickness to give.
-bool keep_off_colliders(double thickness, const Response& response, std::vector<Vec3>& x);
+// push again, along their normals. Returns the vertices that this moved, some of them often. A collider goes on,
+// whatever cloth would like; cloth has a thickness to give.
+std::vector<int> keep_off_colliders(double thickness, const Response& response, std::vector<Vec3>& x);
 
 // What of the vertices' ways from the start to `end` was such a push and must not go into the velocities, in
 // m: of each contact as much as its sides have really parted. Where something pushes them together again, the

@@ -20,7 +20,7 @@ struct Simulation::Parts {
 Simulation::Simulation(SimulationInput input) : parts_(std::make_unique<Parts>()) {
   parts_->world = build_world(std::move(input));
   parts_->state = initial_state(parts_->world);
-  parts_->scratch.proximity = start_proximity(parts_->world.geometry);
+  parts_->scratch.contact = start_contacts(parts_->world.geometry);
 }
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
@@ -28,7 +28,7 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 const State& Simulation::state() const { return parts_->state; }
 void Simulation::restore(State state) {
   parts_->state = std::move(state);
-  parts_->scratch.proximity = start_proximity(parts_->world.geometry);
+  parts_->scratch.contact = start_contacts(parts_->world.geometry);
 }
 const SimulationInput& Simulation::input() const { return parts_->world.input; }
 int Simulation::steps_per_frame() const { return parts_->world.steps_per_frame; }

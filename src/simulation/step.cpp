@@ -117,7 +117,7 @@ ContactStepResult advance_step(const World& world, double time, State& state, Sc
   });
   check_finite(scratch.end);
   const ContactStepResult contact =
-      step_contacts(world.geometry, world.contact_settings, scratch.bodies, scratch.start, scratch.proximity,
+      step_contacts(world.geometry, world.contact_settings, scratch.bodies, scratch.start, scratch.contact,
                     state.remembered_contacts, profile, scratch.end);
   check_finite(scratch.end);
   timed(profile, Phase::other, [&] { integrate(world, contact, state, scratch); });

@@ -21,7 +21,7 @@ struct Scratch {
   std::vector<BodyMotion> bodies;
   std::vector<double> collider_aims;  // seconds: the time on its way that each collider makes for
   FreeMotionScratch free_motion;
-  Proximity proximity;
+  ContactScratch contact;
 };
 
 // One step of the paper's loop (section 3), from time - step to `time`.

@@ -13,10 +13,10 @@ using test::Scene;
 constexpr double thickness = 0.01, step = 0.001;
 
 ContactStepResult advance(Scene& scene, std::vector<RememberedContact>& remembered) {
-  Proximity proximity = start_proximity(scene.geometry);
+  ContactScratch scratch = start_contacts(scene.geometry);
   Profile profile;
   return step_contacts(scene.geometry, contact_settings(scene.geometry, step), scene.bodies, scene.start,
-                       proximity, remembered, profile, scene.end);
+                       scratch, remembered, profile, scene.end);
 }
 
 ContactStepResult advance(Scene& scene) {

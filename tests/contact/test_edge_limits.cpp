@@ -25,7 +25,11 @@ struct Chain {
     limits.color_begin.push_back(limits.edges.size());
   }
 
-  void pull() { pull_within_limits(limits, inverse_masses, x); }
+  void pull() {
+    RecentMoves moves = none();
+    pull_within_limits(limits, inverse_masses, moves, x);
+  }
+  RecentMoves none() const { return {std::vector<unsigned char>(x.size(), 0), 0}; }
   double length(int edge) const { return (x[edge + 1] - x[edge]).norm(); }
 };
 
@@ -105,8 +109,29 @@ void pull_all(const EdgeLimits& limits, const std::vector<double>& inverse_masse
   for (int sweep = 0; sweep < 5; ++sweep)
     for (const EdgeLimits::Edge& edge : limits.edges) {
       const EdgeLimits one{{edge}, {0, 1}};
-      pull_within_limits(one, inverse_masses, x);
+      RecentMoves moves{std::vector<unsigned char>(x.size(), 0), 0};
+      pull_within_limits(one, inverse_masses, moves, x);
     }
+}
+
+// Others move a point between two calls.
+TEST(EdgeLimits, GoOnWhereTheLastCallEnded) {
+  Random random(4);
+  Chain chain(400);
+  for (Vec3& p : chain.x) p += random.vector(0.2);
+  Chain again = chain;
+  RecentMoves moves = chain.none();
+  for (int call = 0; call < 3; ++call) {
+    for (const int v : {10, 11, 200}) {
+      const Vec3 way = random.vector(0.5);
+      chain.x[v] += way;
+      again.x[v] += way;
+      moves.last_sweep[v] = moves.sweeps;
+    }
+    pull_within_limits(chain.limits, chain.inverse_masses, moves, chain.x);
+    again.pull();
+    ASSERT_EQ(chain.x, again.x) << "call " << call;
+  }
 }
 
 TEST(EdgeLimits, EdgesThatHaveNotMovedNeedNoLook) {
