@@ -14,7 +14,8 @@ struct Contact;
 struct ContactMemory {
   double impulse;             // kg m: what held it along the normal, never negative
   Vec3 friction_impulse;      // kg m: across the normal
-  std::int64_t steps_to_push;  // for so many steps more it is not pushed apart; as wide as leaves no gap
+  std::int64_t steps_to_push;  // for so many steps more it is not pushed farther; as wide as leaves no gap
+  double kept_gap;             // m: than this, which its last push left
 };
 
 // With which contact it was (as in Contact).
@@ -24,7 +25,7 @@ struct RememberedContact {
   std::int64_t kind;
   ContactMemory memory;
 };
-static_assert(sizeof(RememberedContact) == 72, "no gaps: hashed and written as it lies in memory");
+static_assert(sizeof(RememberedContact) == 80, "no gaps: hashed and written as it lies in memory");
 
 // The contacts that something holds or that are not to be pushed, in their order; `memories` are of each.
 std::vector<RememberedContact> remember(const std::vector<Contact>& contacts,

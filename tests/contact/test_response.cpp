@@ -198,8 +198,11 @@ TEST(Response, OfThePushThatMuchIsNoVelocityAsTheSidesHaveParted) {
   const auto is_paused = [&] { return response.pulls[0].steps_to_push == 7; };
   const std::vector<Vec3> all = ways(1), more = ways(2);
   EXPECT_FALSE(is_paused());
-  const std::vector<Vec3> half = ways(0.5), none = ways(0), back = ways(-1);
+  const std::vector<Vec3> half = ways(0.5);
   EXPECT_TRUE(is_paused());
+  const Pull& pull = response.pulls[0];
+  EXPECT_NEAR(pull.kept_gap, 0.5 * (gap(pull, scene.start) + gap(pull, scene.end)), 1e-15);
+  const std::vector<Vec3> none = ways(0), back = ways(-1);
   for (std::size_t v = 0; v < all.size(); ++v) {
     EXPECT_LT((all[v] - (scene.end[v] - scene.start[v])).norm(), 1e-15);
     EXPECT_LT((more[v] - all[v]).norm(), 1e-15);
@@ -208,6 +211,21 @@ TEST(Response, OfThePushThatMuchIsNoVelocityAsTheSidesHaveParted) {
     EXPECT_EQ(back[v], Vec3(Vec3::Zero()));
   }
   EXPECT_LT(weighted_sum_of_masses(scene, half).norm(), 1e-15);
+}
+
+// Nearer than what was kept, it is pushed back to that; nearer than a twentieth of the thickness, in any case.
+TEST(Response, WhilePushesArePausedTheyKeepTheGap) {
+  Scene scene = colliding(5, 0);
+  for (int v = 3; v < 6; ++v) scene.end[v] = scene.start[v] -= Vec3(0, 0.096, 0);  // 4 mm apart
+  const std::vector<Contact> contacts = {active(scene).at(0)};
+  const double distance = gap(contacts[0], scene.start);
+  const auto target = [&](double kept) {
+    const std::vector<ContactMemory> memories = {{0, Vec3::Zero(), 3, kept}};
+    return begin_response(scene.geometry, contacts, memories, 1, scene.start).pulls[0].push_target;
+  };
+  EXPECT_EQ(target(0.5 * distance), contacts[0].target);
+  EXPECT_NEAR(target(distance + 1e-6), distance + 1e-6, 1e-15);
+  EXPECT_EQ(target(2 * distance), contacts[0].push_target);
 }
 
 // Two triangles near each other, of which the lower one is near a plane; moved since they were resolved.
