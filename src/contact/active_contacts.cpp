@@ -10,7 +10,7 @@ namespace drape {
 namespace {
 
 // How far old overlap heals, in shares of the thickness: what lies nearly at its distance is left alone. Even
-// where pushes are in vain they go on for what comes so near that the fail-safe would hold it.
+// where pushes are in vain they go on for what comes so near that the fail-safe would soon hold it.
 constexpr double healed_share = 0.9, always_healed_share = 0.05;
 
 double healed_distance(const NarrowPhase& phase, double thickness, double distance) {

@@ -34,7 +34,7 @@ std::vector<RememberedContact> remember(const std::vector<Contact>& contacts,
                    [&](std::size_t begin, std::size_t end, std::vector<RememberedContact>& out) {
                      for (std::size_t i = begin; i < end; ++i) {
                        const ContactMemory& memory = memories[i];
-                       if (memory.impulse > 0 || memory.steps_to_push > 0)
+                       if (memory.impulse > 0 || memory.paused_steps > 0)
                          out.push_back({contacts[i].place, contacts[i].vertices, contacts[i].kind, memory});
                      }
                    });

@@ -12,10 +12,11 @@ struct Contact;
 
 // What a contact keeps from one step to the next.
 struct ContactMemory {
-  double impulse;             // kg m: what held it along the normal, never negative
-  Vec3 friction_impulse;      // kg m: across the normal
-  std::int64_t steps_to_push;  // for so many steps more it is not pushed farther; as wide as leaves no gap
-  double kept_gap;             // m: than this, which its last push left
+  double impulse;         // kg m: what held it along the normal, never negative
+  Vec3 friction_impulse;  // kg m: across the normal
+  std::int64_t
+      paused_steps;  // for so many steps more it is pushed only to kept_gap; as wide as leaves no gap
+  double kept_gap;   // m: what the push left that was in vain
 };
 
 // With which contact it was (as in Contact).

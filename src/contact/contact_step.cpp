@@ -49,8 +49,7 @@ void keep_to_limits(const Step& step, const Response& response) {
   RecentMoves moves{std::vector<unsigned char>(step.end.size(), 0), 0};
   for (int round = 0; round < most_rounds; ++round) {
     pull_within_limits(step.settings.edge_limits, step.phase.geometry.inverse_masses, moves, step.end);
-    const std::vector<int> moved =
-        keep_off_colliders(step.settings.largest_thickness, response, step.end);
+    const std::vector<int> moved = keep_off_colliders(step.settings.largest_thickness, response, step.end);
     if (moved.empty()) return;
     for (const int v : moved) moves.last_sweep[v] = moves.sweeps;
   }
@@ -59,9 +58,8 @@ void keep_to_limits(const Step& step, const Response& response) {
 Response respond(const Step& step, const std::vector<RememberedContact>& remembered,
                  const std::vector<Contact>& contacts) {
   return timed(step.profile, Phase::response, [&] {
-    Response response =
-        begin_response(step.phase.geometry, contacts, recall(remembered, contacts), step.settings.held_way,
-                       step.phase.motion.start);
+    Response response = begin_response(step.phase.geometry, contacts, recall(remembered, contacts),
+                                       step.settings.held_way, step.phase.motion.start);
     resolve_contacts(step.settings.largest_thickness, response, step.end);
     push_apart(response, step.end);
     keep_to_limits(step, response);
@@ -77,8 +75,9 @@ FailSafeResult let_go(const ContactGeometry& geometry) {
 FailSafeResult let_nothing_through(const Step& step) {
   find_pairs(step);
   return timed(step.profile, Phase::fail_safe, [&] {
-    return step.settings.fail_safe ? hold_back(step.phase, step.scratch.proximity, step.settings.least_gap, step.end)
-                                   : let_go(step.phase.geometry);
+    return step.settings.fail_safe
+               ? hold_back(step.phase, step.scratch.proximity, step.settings.least_gap, step.end)
+               : let_go(step.phase.geometry);
   });
 }
 
@@ -145,7 +144,7 @@ ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSe
   ContactStepResult result;
   result.contacts = static_cast<int>(contacts.size());
   result.push = timed(profile, Phase::response, [&] {
-    std::vector<Vec3> ways = pushed_ways(settings.push_pause, response, end);
+    std::vector<Vec3> ways = take_pushes(settings.push_pause, response, end);
     remembered = remember(contacts, memories_of(response));
     return ways;
   });

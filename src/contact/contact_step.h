@@ -4,8 +4,8 @@
 
 #include "contact/active_contacts.h"
 #include "contact/contact_geometry.h"
-#include "contact/edge_limits.h"
 #include "contact/contact_memory.h"
+#include "contact/edge_limits.h"
 #include "contact/proximity.h"
 #include "core/profile.h"
 
@@ -39,8 +39,9 @@ struct ContactScratch {
 ContactScratch start_contacts(const ContactGeometry& geometry);
 
 // Section 5 of the paper: x** -> x(t+h). `end` comes with the elastic positions of the cloths and the aims of
-// the colliders, and leaves with what they reach. `remembered` comes with what contacts keep of the last step,
-// and leaves with what they keep of this one, but for what is resolved again before the fail-safe.
+// the colliders, and leaves with what they reach. `remembered` comes with what contacts keep of the last
+// step, and leaves with what they keep of this one. (Impulses of contacts that are resolved again before the
+// fail-safe are not kept.)
 ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSettings& settings,
                                 const std::vector<BodyMotion>& bodies, const std::vector<Vec3>& start,
                                 ContactScratch& scratch, std::vector<RememberedContact>& remembered,

@@ -43,14 +43,14 @@ void start_with(const ContactMemory& memory, double farthest, Pull& pull) {
   const Vec4 friction = share * padded(memory.friction_impulse);
   pull.impulse = share * memory.impulse;
   pull.friction_impulse = friction - pull.normal.dot(friction) * pull.normal;
-  pull.steps_to_push = std::max<std::int64_t>(memory.steps_to_push - 1, 0);
+  pull.paused_steps = std::max<std::int64_t>(memory.paused_steps - 1, 0);
   pull.kept_gap = memory.kept_gap;
 }
 
 // While pushes are paused they no more than keep the gap. That is not the target's affair alone: sweeps end a
 // little before it, and in each step the gap would shrink by that.
 double push_target(const Contact& contact, const ContactMemory& memory) {
-  if (memory.steps_to_push == 0) return contact.push_target;
+  if (memory.paused_steps == 0) return contact.push_target;
   const double kept = std::max(contact.surface + memory.kept_gap, contact.least_push);
   return std::clamp(kept, contact.target, contact.push_target);
 }
@@ -167,21 +167,12 @@ bool sweep_group(const Sweeps<Visit>& sweeps, const CollisionGroup& group, std::
 }
 
 template <typename Visit>
-void sweep_groups(const Sweeps<Visit>& sweeps, Response& response) {
+void sweep_groups(int most, double enough, const Visit& visit, Response& response) {
+  const Sweeps<Visit> sweeps{most, enough, visit};
   parallel_for_each(response.groups.groups.size(), 1, [&](std::size_t g) {
     for (int sweep = 0; sweep < sweeps.most; ++sweep)
       if (!sweep_group(sweeps, response.groups.groups[g], response.pulls)) return;
   });
-}
-
-// The same for points: visit(pull, points) for each contact.
-template <typename Visit>
-void sweep_points(int most, double enough, const Visit& visit, Response& response, std::vector<Vec3>& x) {
-  if (response.pulls.empty()) return;
-  std::vector<Vec4> places = all_padded(x);
-  const auto visit_here = [&](Pull& pull) { return visit(pull, places); };
-  sweep_groups(Sweeps<decltype(visit_here)>{most, enough, visit_here}, response);
-  unpad(places, x);
 }
 
 constexpr int most_sweeps = 30;
@@ -208,16 +199,22 @@ Response begin_response(const ContactGeometry& geometry, const std::vector<Conta
 }
 
 void resolve_contacts(double thickness, Response& response, std::vector<Vec3>& x) {
-  sweep_points(1, 0, [](Pull& pull, std::vector<Vec4>& places) { return hold_again(pull, places); }, response,
-               x);
-  const auto visit = [](Pull& pull, std::vector<Vec4>& places) { return solve(pull, places); };
-  sweep_points(most_sweeps, settled * thickness, visit, response, x);
+  if (response.pulls.empty()) return;
+  std::vector<Vec4> places = all_padded(x);
+  sweep_groups(
+      1, 0, [&](Pull& pull) { return hold_again(pull, places); }, response);
+  sweep_groups(
+      most_sweeps, settled * thickness, [&](Pull& pull) { return solve(pull, places); }, response);
+  unpad(places, x);
 }
 
 void push_apart(Response& response, std::vector<Vec3>& x) {
   constexpr int most_pushes = 2;
-  const auto visit = [](Pull& pull, std::vector<Vec4>& places) { return push(pull, places); };
-  sweep_points(most_pushes, 0, visit, response, x);
+  if (response.pulls.empty()) return;
+  std::vector<Vec4> places = all_padded(x);
+  sweep_groups(
+      most_pushes, 0, [&](Pull& pull) { return push(pull, places); }, response);
+  unpad(places, x);
 }
 
 std::vector<int> keep_off_colliders(double thickness, const Response& response, std::vector<Vec3>& x) {
@@ -231,7 +228,7 @@ std::vector<int> keep_off_colliders(double thickness, const Response& response, 
   return moved;
 }
 
-std::vector<Vec3> pushed_ways(std::int64_t pause, Response& response, const std::vector<Vec3>& end) {
+std::vector<Vec3> take_pushes(std::int64_t pause, Response& response, const std::vector<Vec3>& end) {
   constexpr double in_vain = 0.9;  // of the push, that its sides have parted
   std::vector<Vec3> ways(end.size(), Vec3::Zero());
   const auto visit = [&](Pull& pull) {
@@ -239,14 +236,14 @@ std::vector<Vec3> pushed_ways(std::int64_t pause, Response& response, const std:
     const Vec3 apart = weighted_sum(pull, end), normal = pull.normal.head<3>();
     const Vec3 way = apart - pull.origin.head<3>();
     const double share = std::clamp(normal.dot(way) / (pull.push_impulse * pull.mobility), 0.0, 1.0);
-    if (share < in_vain && pull.steps_to_push == 0) {
-      pull.steps_to_push = pause;
+    if (share < in_vain && pull.paused_steps == 0) {
+      pull.paused_steps = pause;
       pull.kept_gap = normal.dot(apart) - pull.surface;
     }
     apply_impulse(pull, Vec3(share * pull.push_impulse * normal), ways);
     return 0.0;
   };
-  sweep_groups(Sweeps<decltype(visit)>{1, 0, visit}, response);
+  sweep_groups(1, 0, visit, response);
   return ways;
 }
 
@@ -254,8 +251,8 @@ std::vector<ContactMemory> memories_of(const Response& response) {
   std::vector<ContactMemory> memories(response.pulls.size());
   parallel_for_each(memories.size(), 512, [&](std::size_t i) {
     const Pull& pull = response.pulls[i];
-    memories[response.groups.order[i]] = {pull.impulse, pull.friction_impulse.head<3>(), pull.steps_to_push,
-                                         pull.kept_gap};
+    memories[response.groups.order[i]] = {pull.impulse, pull.friction_impulse.head<3>(), pull.paused_steps,
+                                          pull.kept_gap};
   });
   return memories;
 }

@@ -21,10 +21,10 @@ struct Pull {
   double target, push_target;   // m: as the contact's, but for a push that is paused
   double surface;               // m: as the contact's
   double friction;
-  double impulse;       // lambda: kg m, never negative; at first what held the contact in the last step
-  double push_impulse;  // kg m: the push's
-  std::int64_t steps_to_push;  // as in ContactMemory, for the next step
-  double kept_gap;             // m: the same
+  double impulse;             // lambda: kg m, never negative; at first what held the contact in the last step
+  double push_impulse;        // kg m: the push's
+  std::int64_t paused_steps;  // as in ContactMemory, for the next step
+  double kept_gap;            // m: the same
   Vec4 weights, normal;
   Vec4 responses;  // how far each vertex goes under a unit impulse, in 1/kg
   Vec4 origin;     // m: where the sides were to each other at the start, less what turns with a collider
@@ -38,34 +38,37 @@ struct Response {
   std::vector<std::size_t> at_colliders;  // those with a collider or a plane
 };
 
-// Each contact starts with what its memory says held it (`memories` may be empty): that is much the same where things rest, and from
-// there on few sweeps are enough. But with no more than parts its sides by `farthest` metres: what stopped a
-// blow is larger, and asked for again it would throw a pile back up faster than the sweeps can take it back.
+// Each contact starts with what its memory says held it (`memories` may be empty): that is much the same
+// where things rest, and from there on few sweeps are enough. But with no more than parts its sides by
+// `farthest` metres: what stopped a blow is larger, and asked for again it would throw a pile back up faster
+// than the sweeps can take it back.
 Response begin_response(const ContactGeometry& geometry, const std::vector<Contact>& contacts,
                         const std::vector<ContactMemory>& memories, double farthest,
                         const std::vector<Vec3>& start);
 
-// Moves the step's end positions x so that every contact keeps its target: iterated, local,
-// momentum-conserving pulls (after Spillmann and Teschner 2008), as projected Gauss-Seidel on the accumulated
-// impulses, with Coulomb friction against the way since the start. A group is settled when a sweep moves none
-// of its contacts by more than a hundredth of `thickness` (metres). What the pulls bring
-// nearer to each other is not found here.
+// Once for a response: moves the step's end positions x by what held the contacts in the step before, and
+// then so that every contact keeps its target: iterated, local, momentum-conserving pulls (after Spillmann
+// and Teschner 2008), as projected Gauss-Seidel on the accumulated impulses, with Coulomb friction against
+// the way since the start. A group is settled when a sweep moves none of its contacts by more than a
+// hundredth of `thickness` (metres). What the pulls bring nearer to each other is not found here.
 void resolve_contacts(double thickness, Response& response, std::vector<Vec3>& x);
 
 // Afterwards: moves overlapping sides a little way apart, positions only.
 void push_apart(Response& response, std::vector<Vec3>& x);
 
 // When other constraints have moved points after that: contacts with colliders keep their target and their
-// push again, along their normals. Returns the vertices that this moved, some of them often. A collider goes on,
-// whatever cloth would like; cloth has a thickness to give.
+// push again, along their normals. Returns the vertices that this moved, some of them often. A collider goes
+// on, whatever cloth would like; cloth has a thickness to give.
 std::vector<int> keep_off_colliders(double thickness, const Response& response, std::vector<Vec3>& x);
 
 // What of the vertices' ways from the start to `end` was such a push and must not go into the velocities, in
 // m: of each contact as much as its sides have really parted. Where something pushes them together again, the
-// push is no way, and to take it from the velocity would leave one with which nothing moves. Such a contact is
-// content with the gap that it has for the next `pause` steps: where there is no room, pushes go round for
-// ever, and what they press together leaves with a velocity, so that a pile at rest would buzz.
-std::vector<Vec3> pushed_ways(std::int64_t pause, Response& response, const std::vector<Vec3>& end);
+// push is no way, and to take it from the velocity would leave one with which nothing moves.
+//
+// Such a contact's push is paused: for `pause` steps it is content with the gap that it has, and then, if it
+// is still pressed together, with that of then. Where there is no room, pushes go round for ever, and what
+// they press together leaves with a velocity, so that a pile at rest would buzz.
+std::vector<Vec3> take_pushes(std::int64_t pause, Response& response, const std::vector<Vec3>& end);
 
 // What each of the contacts is to keep for the next step.
 std::vector<ContactMemory> memories_of(const Response& response);

@@ -21,7 +21,7 @@ struct State {
   std::vector<RigidPose> collider_poses;  // the poses at these times: what is drawn
   std::vector<Vec3> grabs;                // where the vertices of all pins were grabbed (pins.h); zero before
   std::vector<double> seam_lengths;       // m: how long the threads of all seams were at first; zero before
-  std::vector<RememberedContact> remembered_contacts;  // what held contacts in the last step, which the next starts with
+  std::vector<RememberedContact> remembered_contacts;  // what contacts keep of the last step
 };
 std::uint64_t state_hash(const State& state);
 

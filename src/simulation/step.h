@@ -9,8 +9,7 @@
 
 namespace drape {
 
-// What one step needs to work in. Only the broad phase keeps something from step to step, and what it keeps
-// changes no result.
+// What one step needs to work in. What contact keeps in it from step to step changes no result.
 struct Scratch {
   std::vector<Vec3> start, end;  // of all contact vertices: cloths, then colliders
   std::vector<Vec3> air_forces;  // of each triangle, kept for steps_per_air steps

@@ -49,7 +49,7 @@ TEST(ContactMemory, ComesBackToItsContactWhicheverHaveComeAndGone) {
     const bool was_held = number % 7 != 0 && number % 5 != 0, is_paused = number % 7 != 0 && number % 10 == 0;
     EXPECT_EQ(recalled[i].impulse, was_held ? number : 0) << number;
     EXPECT_EQ(recalled[i].friction_impulse, was_held || is_paused ? Vec3(0, number, 1) : Vec3(0, 0, 0));
-    EXPECT_EQ(recalled[i].steps_to_push, is_paused ? 3 : 0);
+    EXPECT_EQ(recalled[i].paused_steps, is_paused ? 3 : 0);
     EXPECT_EQ(recalled[i].kept_gap, was_held || is_paused ? 1e-3 * number : 0);
   }
 }

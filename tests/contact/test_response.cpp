@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "contact/response.h"
 #include "core/parallel.h"
 #include "scene.h"
@@ -182,27 +184,35 @@ Vec3 weighted_sum_of_masses(const Scene& scene, const std::vector<Vec3>& ways) {
   return sum;
 }
 
-// Of one contact, so that its push is all that parts the sides.
-TEST(Response, OfThePushThatMuchIsNoVelocityAsTheSidesHaveParted) {
+// One contact, so that its push is all that parts the sides, which are 4 mm apart.
+struct Overlap {
   Scene scene = colliding(5, 0);
-  for (int v = 3; v < 6; ++v) scene.end[v] = scene.start[v] -= Vec3(0, 0.096, 0);  // 4 mm apart
-  const std::vector<Contact> contacts = {active(scene).at(0)};
-  Response response = push(scene, contacts);
+  std::vector<Contact> contacts;
+
+  Overlap() {
+    for (int v = 3; v < 6; ++v) scene.end[v] = scene.start[v] -= Vec3(0, 0.096, 0);
+    contacts = {active(scene).at(0)};
+  }
+
+  Response begin(const ContactMemory& memory) const {
+    return begin_response(scene.geometry, contacts, {memory}, 1, scene.start);
+  }
+
+  // From the start, with the push's sides parted by a share of its way.
+  std::vector<Vec3> reached(double share) const {
+    std::vector<Vec3> x = scene.start;
+    for (std::size_t v = 0; v < x.size(); ++v) x[v] += share * (scene.end[v] - scene.start[v]);
+    return x;
+  }
+};
+
+TEST(Response, OfThePushThatMuchIsNoVelocityAsTheSidesHaveParted) {
+  Overlap overlap;
+  Scene& scene = overlap.scene;
+  Response response = push(scene, overlap.contacts);
   ASSERT_GT(response.pulls.at(0).push_impulse, 0);
-  const auto ways = [&](double share) {
-    std::vector<Vec3> reached = scene.start;
-    for (std::size_t v = 0; v < reached.size(); ++v) reached[v] += share * (scene.end[v] - scene.start[v]);
-    response.pulls[0].steps_to_push = 0;
-    return pushed_ways(7, response, reached);
-  };
-  const auto is_paused = [&] { return response.pulls[0].steps_to_push == 7; };
-  const std::vector<Vec3> all = ways(1), more = ways(2);
-  EXPECT_FALSE(is_paused());
-  const std::vector<Vec3> half = ways(0.5);
-  EXPECT_TRUE(is_paused());
-  const Pull& pull = response.pulls[0];
-  EXPECT_NEAR(pull.kept_gap, 0.5 * (gap(pull, scene.start) + gap(pull, scene.end)), 1e-15);
-  const std::vector<Vec3> none = ways(0), back = ways(-1);
+  const auto ways = [&](double share) { return take_pushes(7, response, overlap.reached(share)); };
+  const std::vector<Vec3> all = ways(1), more = ways(2), half = ways(0.5), none = ways(0), back = ways(-1);
   for (std::size_t v = 0; v < all.size(); ++v) {
     EXPECT_LT((all[v] - (scene.end[v] - scene.start[v])).norm(), 1e-15);
     EXPECT_LT((more[v] - all[v]).norm(), 1e-15);
@@ -213,19 +223,48 @@ TEST(Response, OfThePushThatMuchIsNoVelocityAsTheSidesHaveParted) {
   EXPECT_LT(weighted_sum_of_masses(scene, half).norm(), 1e-15);
 }
 
-// Nearer than what was kept, it is pushed back to that; nearer than a twentieth of the thickness, in any case.
-TEST(Response, WhilePushesArePausedTheyKeepTheGap) {
-  Scene scene = colliding(5, 0);
-  for (int v = 3; v < 6; ++v) scene.end[v] = scene.start[v] -= Vec3(0, 0.096, 0);  // 4 mm apart
-  const std::vector<Contact> contacts = {active(scene).at(0)};
-  const double distance = gap(contacts[0], scene.start);
-  const auto target = [&](double kept) {
-    const std::vector<ContactMemory> memories = {{0, Vec3::Zero(), 3, kept}};
-    return begin_response(scene.geometry, contacts, memories, 1, scene.start).pulls[0].push_target;
+TEST(Response, APushInVainIsPausedAndLeavesItsGap) {
+  Overlap overlap;
+  const Response pushed = push(overlap.scene, overlap.contacts);
+  const auto memory = [&](double share) {
+    Response response = pushed;
+    take_pushes(7, response, overlap.reached(share));
+    return memories_of(response).at(0);
   };
-  EXPECT_EQ(target(0.5 * distance), contacts[0].target);
+  EXPECT_EQ(memory(1).paused_steps, 0);
+  EXPECT_EQ(memory(0.5).paused_steps, 7);
+  EXPECT_NEAR(memory(0.5).kept_gap, gap(overlap.contacts[0], overlap.reached(0.5)), 1e-15);
+}
+
+// The gap that was kept is asked for again, in vain: in the pause's last step that begins another one.
+TEST(Response, APauseLastsAsLongAsSomethingPresses) {
+  const auto next_pause = [](std::int64_t paused_steps, bool pressed) {
+    Overlap overlap;
+    const double distance = gap(overlap.contacts[0], overlap.scene.start);
+    Response response = overlap.begin({0, Vec3::Zero(), paused_steps, distance + (pressed ? 1e-6 : 0)});
+    std::vector<Vec3> end = overlap.scene.start;
+    push_apart(response, end);
+    take_pushes(7, response, overlap.scene.start);
+    return memories_of(response).at(0).paused_steps;
+  };
+  EXPECT_EQ(next_pause(3, true), 2);
+  EXPECT_EQ(next_pause(1, true), 7);
+  EXPECT_EQ(next_pause(1, false), 0);
+}
+
+// Nearer than what was kept, it is pushed back to that; nearer than a twentieth of the thickness, in any
+// case.
+TEST(Response, WhilePushesArePausedTheyKeepTheGap) {
+  Overlap overlap;
+  const double distance = gap(overlap.contacts[0], overlap.scene.start);
+  const auto target = [&](double kept) {
+    return overlap.begin({0, Vec3::Zero(), 3, kept}).pulls[0].push_target;
+  };
+  EXPECT_EQ(target(0.5 * distance), overlap.contacts[0].target);
   EXPECT_NEAR(target(distance + 1e-6), distance + 1e-6, 1e-15);
-  EXPECT_EQ(target(2 * distance), contacts[0].push_target);
+  EXPECT_EQ(target(2 * distance), overlap.contacts[0].push_target);
+  overlap.contacts[0].target = 0.049 * thickness;
+  EXPECT_NEAR(target(0), 0.05 * thickness, 1e-15);
 }
 
 // Two triangles near each other, of which the lower one is near a plane; moved since they were resolved.
@@ -241,7 +280,8 @@ TEST(Response, OnlyWhatIsTooNearACollidersSurfaceIsKeptOff) {
   for (int v = 0; v < 3; ++v) scene.end[v].y() = 0.004;
   for (int v = 3; v < 6; ++v) scene.end[v].y() = 0.006;
   const std::vector<Vec3> before = scene.end;
-  keep_off_colliders(thickness, response, scene.end);
+  const std::vector<int> moved = keep_off_colliders(thickness, response, scene.end);
+  EXPECT_EQ(std::set<int>(moved.begin(), moved.end()), (std::set<int>{0, 1, 2}));
   for (int v = 0; v < 3; ++v) EXPECT_NEAR(scene.end[v].y(), 0.009, 1e-9);
   for (int v = 3; v < 6; ++v) EXPECT_EQ(scene.end[v], before[v]);
 }
@@ -271,8 +311,7 @@ TEST(Response, ABlowIsNotAskedForAgain) {
   Response blow = begin_response(scene.geometry, contacts, {}, 1, scene.start);
   resolve_contacts(1e-12, blow, scene.end);
   constexpr double farthest = 1e-5;
-  const Response after =
-      begin_response(scene.geometry, contacts, memories_of(blow), farthest, scene.start);
+  const Response after = begin_response(scene.geometry, contacts, memories_of(blow), farthest, scene.start);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Pull &before = blow.pulls[i], &now = after.pulls[i];
     EXPECT_NEAR(now.impulse * now.mobility, std::min(farthest, before.impulse * before.mobility), 1e-15);

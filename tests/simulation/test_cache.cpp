@@ -199,7 +199,9 @@ TEST(Checkpoints, ComeBackBitForBit) {
   EXPECT_EQ(same->grabs, state.grabs);
   EXPECT_EQ(same->seam_lengths, state.seam_lengths);
   ASSERT_EQ(same->remembered_contacts.size(), 1u);
-  EXPECT_EQ(std::memcmp(same->remembered_contacts.data(), state.remembered_contacts.data(), sizeof(RememberedContact)), 0);
+  EXPECT_EQ(std::memcmp(same->remembered_contacts.data(), state.remembered_contacts.data(),
+                        sizeof(RememberedContact)),
+            0);
   ASSERT_EQ(same->velocities.size(), state.velocities.size());
   EXPECT_EQ(
       std::memcmp(same->velocities.data(), state.velocities.data(), state.velocities.size() * sizeof(Vec3)),
