@@ -9,12 +9,12 @@
 namespace drape {
 namespace {
 
-// How far old overlap heals, in shares of the thickness: what lies nearly at its distance is left alone. Even
-// where pushes are in vain they go on for what comes so near that the fail-safe would soon hold it.
-constexpr double healed_share = 0.9, always_healed_share = 0.05;
+// How far old overlap heals, in shares of the thickness: what lies nearly at its distance is left alone.
+// Where pushes are in vain they go on only for what comes so near that the fail-safe would hold it.
+constexpr double healed_share = 0.9, paused_share = 0.05;
 
-double healed_distance(const NarrowPhase& phase, double thickness, double distance) {
-  const double healed = std::min(healed_share * thickness, distance + phase.healing * thickness);
+double healed_distance(const NarrowPhase& phase, double share, double thickness, double distance) {
+  const double healed = std::min(share * thickness, distance + phase.healing * thickness);
   return std::max(std::min(thickness, distance), healed);
 }
 
@@ -62,9 +62,8 @@ Contact make_contact(const NarrowPhase& phase, const ContactPair& pair, const Cl
   contact.normal = closest.difference / closest.distance;
   const double gap = start_distance - pair.radius;
   contact.target = pair.radius + std::min(pair.thickness, gap);
-  contact.push_target = pair.radius + healed_distance(phase, pair.thickness, gap);
-  contact.surface = pair.radius;
-  contact.least_push = pair.radius + always_healed_share * pair.thickness;
+  contact.push_target = pair.radius + healed_distance(phase, healed_share, pair.thickness, gap);
+  contact.paused_push_target = pair.radius + healed_distance(phase, paused_share, pair.thickness, gap);
   contact.friction = pair.friction;
   contact.turn = pair.radius > 0 ? turning(phase, pair, closest) : Vec3::Zero();
   return contact;
@@ -174,9 +173,8 @@ static Contact make_plane_contact(const NarrowPhase& phase, const ContactPlane& 
   contact.weights = {1, 0, 0, 0};
   contact.normal = up_end;
   contact.target = offset + std::min(cloth.thickness, start_height);
-  contact.push_target = offset + healed_distance(phase, cloth.thickness, start_height);
-  contact.surface = offset;
-  contact.least_push = offset + always_healed_share * cloth.thickness;
+  contact.push_target = offset + healed_distance(phase, healed_share, cloth.thickness, start_height);
+  contact.paused_push_target = offset + healed_distance(phase, paused_share, cloth.thickness, start_height);
   contact.friction = pair_friction(phase.geometry, phase.geometry.vertex_body[v], plane.body);
   contact.turn = -rigid_displacement(motion, phase.motion.start[v]);
   return contact;

@@ -22,10 +22,9 @@ struct Contact {
   std::array<int, 4> vertices;
   std::array<double, 4> weights;  // a vertex that plays no part has 0
   Vec3 normal;                    // unit, from the second side to the first
-  double target;       // m: what is kept in this step; old overlap is no more than kept from growing
-  double push_target;  // m: what the push after the step grows towards
-  double surface;      // m: what of these is not gap, of rounded colliders and planes
-  double least_push;   // m: what the push grows towards in any case
+  double target;              // m: what is kept in this step; old overlap is no more than kept from growing
+  double push_target;         // m: what the push after the step grows towards
+  double paused_push_target;  // m: the same while its pushes are paused
   double friction;
   Vec3 turn;  // m: what the turning of a rounded or plane collider adds to the sides' relative motion
 };

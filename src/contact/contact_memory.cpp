@@ -45,7 +45,7 @@ std::vector<RememberedContact> remember(const std::vector<Contact>& contacts,
 // there: one walk through both finds all.
 std::vector<ContactMemory> recall(const std::vector<RememberedContact>& remembered,
                                   const std::vector<Contact>& contacts) {
-  std::vector<ContactMemory> memories(contacts.size(), ContactMemory{0, Vec3::Zero(), 0, 0});
+  std::vector<ContactMemory> memories(contacts.size(), ContactMemory{0, Vec3::Zero(), 0});
   const auto precedes = [](const RememberedContact& a, const std::array<int, 2>& b) { return a.place < b; };
   parallel_blocks(contacts.size(), block, [&](std::size_t begin, std::size_t end, std::size_t) {
     Iterator at = std::lower_bound(remembered.begin(), remembered.end(), contacts[begin].place, precedes);

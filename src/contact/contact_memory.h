@@ -12,11 +12,9 @@ struct Contact;
 
 // What a contact keeps from one step to the next.
 struct ContactMemory {
-  double impulse;         // kg m: what held it along the normal, never negative
-  Vec3 friction_impulse;  // kg m: across the normal
-  std::int64_t
-      paused_steps;  // for so many steps more it is pushed only to kept_gap; as wide as leaves no gap
-  double kept_gap;   // m: what the push left that was in vain
+  double impulse;             // kg m: what held it along the normal, never negative
+  Vec3 friction_impulse;      // kg m: across the normal
+  std::int64_t paused_steps;  // for so many steps more it is not pushed apart; as wide as leaves no gap
 };
 
 // With which contact it was (as in Contact).
@@ -26,7 +24,7 @@ struct RememberedContact {
   std::int64_t kind;
   ContactMemory memory;
 };
-static_assert(sizeof(RememberedContact) == 80, "no gaps: hashed and written as it lies in memory");
+static_assert(sizeof(RememberedContact) == 72, "no gaps: hashed and written as it lies in memory");
 
 // The contacts that something holds or that are not to be pushed, in their order; `memories` are of each.
 std::vector<RememberedContact> remember(const std::vector<Contact>& contacts,

@@ -44,15 +44,6 @@ void start_with(const ContactMemory& memory, double farthest, Pull& pull) {
   pull.impulse = share * memory.impulse;
   pull.friction_impulse = friction - pull.normal.dot(friction) * pull.normal;
   pull.paused_steps = std::max<std::int64_t>(memory.paused_steps - 1, 0);
-  pull.kept_gap = memory.kept_gap;
-}
-
-// While pushes are paused they no more than keep the gap. That is not the target's affair alone: sweeps end a
-// little before it, and in each step the gap would shrink by that.
-double push_target(const Contact& contact, const ContactMemory& memory) {
-  if (memory.paused_steps == 0) return contact.push_target;
-  const double kept = std::max(contact.surface + memory.kept_gap, contact.least_push);
-  return std::clamp(kept, contact.target, contact.push_target);
 }
 
 Pull make_pull(const ContactGeometry& geometry, const Contact& contact, const ContactMemory& memory,
@@ -60,8 +51,7 @@ Pull make_pull(const ContactGeometry& geometry, const Contact& contact, const Co
   Pull pull;
   pull.vertices = vertices_that_count(contact);
   pull.target = contact.target;
-  pull.push_target = push_target(contact, memory);
-  pull.surface = contact.surface;
+  pull.push_target = memory.paused_steps > 0 ? contact.paused_push_target : contact.push_target;
   pull.friction = contact.friction;
   pull.normal = padded(contact.normal);
   pull.push_impulse = pull.mobility = 0;
@@ -183,7 +173,7 @@ constexpr double settled = 0.01;  // of the thickness
 Response begin_response(const ContactGeometry& geometry, const std::vector<Contact>& contacts,
                         const std::vector<ContactMemory>& memories, double farthest,
                         const std::vector<Vec3>& start) {
-  const ContactMemory nothing{0, Vec3::Zero(), 0, 0};
+  const ContactMemory nothing{0, Vec3::Zero(), 0};
   Response response{group_contacts(geometry, start, contacts), std::vector<Pull>(contacts.size()), {}};
   parallel_collect(contacts.size(), 512, response.at_colliders,
                    [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& at_colliders) {
@@ -233,13 +223,9 @@ std::vector<Vec3> take_pushes(std::int64_t pause, Response& response, const std:
   std::vector<Vec3> ways(end.size(), Vec3::Zero());
   const auto visit = [&](Pull& pull) {
     if (pull.push_impulse == 0) return 0.0;
-    const Vec3 apart = weighted_sum(pull, end), normal = pull.normal.head<3>();
-    const Vec3 way = apart - pull.origin.head<3>();
+    const Vec3 way = weighted_sum(pull, end) - pull.origin.head<3>(), normal = pull.normal.head<3>();
     const double share = std::clamp(normal.dot(way) / (pull.push_impulse * pull.mobility), 0.0, 1.0);
-    if (share < in_vain && pull.paused_steps == 0) {
-      pull.paused_steps = pause;
-      pull.kept_gap = normal.dot(apart) - pull.surface;
-    }
+    if (share < in_vain) pull.paused_steps = pause;
     apply_impulse(pull, Vec3(share * pull.push_impulse * normal), ways);
     return 0.0;
   };
@@ -251,8 +237,7 @@ std::vector<ContactMemory> memories_of(const Response& response) {
   std::vector<ContactMemory> memories(response.pulls.size());
   parallel_for_each(memories.size(), 512, [&](std::size_t i) {
     const Pull& pull = response.pulls[i];
-    memories[response.groups.order[i]] = {pull.impulse, pull.friction_impulse.head<3>(), pull.paused_steps,
-                                          pull.kept_gap};
+    memories[response.groups.order[i]] = {pull.impulse, pull.friction_impulse.head<3>(), pull.paused_steps};
   });
   return memories;
 }

@@ -18,13 +18,11 @@ struct Pull {
   std::array<int, 4> vertices;  // one that plays no part is another one again, with weight 0
   double mobility;              // how far the sides part under a unit impulse, in 1/kg; 0: nothing can move
   double effective_mass;        // its inverse
-  double target, push_target;   // m: as the contact's, but for a push that is paused
-  double surface;               // m: as the contact's
+  double target, push_target;   // m: as the contact's
   double friction;
   double impulse;             // lambda: kg m, never negative; at first what held the contact in the last step
   double push_impulse;        // kg m: the push's
   std::int64_t paused_steps;  // as in ContactMemory, for the next step
-  double kept_gap;            // m: the same
   Vec4 weights, normal;
   Vec4 responses;  // how far each vertex goes under a unit impulse, in 1/kg
   Vec4 origin;     // m: where the sides were to each other at the start, less what turns with a collider
@@ -63,11 +61,9 @@ std::vector<int> keep_off_colliders(double thickness, const Response& response, 
 
 // What of the vertices' ways from the start to `end` was such a push and must not go into the velocities, in
 // m: of each contact as much as its sides have really parted. Where something pushes them together again, the
-// push is no way, and to take it from the velocity would leave one with which nothing moves.
-//
-// Such a contact's push is paused: for `pause` steps it is content with the gap that it has, and then, if it
-// is still pressed together, with that of then. Where there is no room, pushes go round for ever, and what
-// they press together leaves with a velocity, so that a pile at rest would buzz.
+// push is no way, and to take it from the velocity would leave one with which nothing moves. Such a contact's
+// pushes are paused for `pause` steps: where there is no room, they go round for ever, and what they press
+// together leaves with a velocity, so that a pile at rest would buzz.
 std::vector<Vec3> take_pushes(std::int64_t pause, Response& response, const std::vector<Vec3>& end);
 
 // What each of the contacts is to keep for the next step.

@@ -65,6 +65,12 @@ TEST(ActiveContacts, OverlapHealsToNineTenthsOfTheThicknessAndNoFurther) {
   EXPECT_NEAR(active(approaching(0.0095, 0.0095)).at(0).push_target, 0.0095, 1e-15);
 }
 
+TEST(ActiveContacts, OverlapWhosePushesArePausedHealsToATwentiethOfTheThickness) {
+  EXPECT_GT(active(approaching(0.0003, 0.0003)).at(0).paused_push_target, 0.0004);
+  EXPECT_NEAR(active(approaching(0.0004999, 0.0004999)).at(0).paused_push_target, 0.05 * thickness, 1e-15);
+  EXPECT_NEAR(active(approaching(0.0085, 0.0085)).at(0).paused_push_target, 0.0085, 1e-15);
+}
+
 TEST(ActiveContacts, WeightsAreBarycentricAndTheirSumIsZero) {
   Random random(1);
   Scene scene;

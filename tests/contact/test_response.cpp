@@ -194,10 +194,6 @@ struct Overlap {
     contacts = {active(scene).at(0)};
   }
 
-  Response begin(const ContactMemory& memory) const {
-    return begin_response(scene.geometry, contacts, {memory}, 1, scene.start);
-  }
-
   // From the start, with the push's sides parted by a share of its way.
   std::vector<Vec3> reached(double share) const {
     std::vector<Vec3> x = scene.start;
@@ -223,48 +219,31 @@ TEST(Response, OfThePushThatMuchIsNoVelocityAsTheSidesHaveParted) {
   EXPECT_LT(weighted_sum_of_masses(scene, half).norm(), 1e-15);
 }
 
-TEST(Response, APushInVainIsPausedAndLeavesItsGap) {
+TEST(Response, APushInVainIsPaused) {
   Overlap overlap;
   const Response pushed = push(overlap.scene, overlap.contacts);
-  const auto memory = [&](double share) {
+  const auto pause = [&](double share) {
     Response response = pushed;
     take_pushes(7, response, overlap.reached(share));
-    return memories_of(response).at(0);
-  };
-  EXPECT_EQ(memory(1).paused_steps, 0);
-  EXPECT_EQ(memory(0.5).paused_steps, 7);
-  EXPECT_NEAR(memory(0.5).kept_gap, gap(overlap.contacts[0], overlap.reached(0.5)), 1e-15);
-}
-
-// The gap that was kept is asked for again, in vain: in the pause's last step that begins another one.
-TEST(Response, APauseLastsAsLongAsSomethingPresses) {
-  const auto next_pause = [](std::int64_t paused_steps, bool pressed) {
-    Overlap overlap;
-    const double distance = gap(overlap.contacts[0], overlap.scene.start);
-    Response response = overlap.begin({0, Vec3::Zero(), paused_steps, distance + (pressed ? 1e-6 : 0)});
-    std::vector<Vec3> end = overlap.scene.start;
-    push_apart(response, end);
-    take_pushes(7, response, overlap.scene.start);
     return memories_of(response).at(0).paused_steps;
   };
-  EXPECT_EQ(next_pause(3, true), 2);
-  EXPECT_EQ(next_pause(1, true), 7);
-  EXPECT_EQ(next_pause(1, false), 0);
+  EXPECT_EQ(pause(1), 0);
+  EXPECT_EQ(pause(0.5), 7);
+  EXPECT_EQ(pause(-1), 7);
 }
 
-// Nearer than what was kept, it is pushed back to that; nearer than a twentieth of the thickness, in any
-// case.
-TEST(Response, WhilePushesArePausedTheyKeepTheGap) {
+TEST(Response, WhatIsPausedIsPushedOnlyToATwentiethOfItsThickness) {
   Overlap overlap;
-  const double distance = gap(overlap.contacts[0], overlap.scene.start);
-  const auto target = [&](double kept) {
-    return overlap.begin({0, Vec3::Zero(), 3, kept}).pulls[0].push_target;
+  const Contact& contact = overlap.contacts[0];
+  const auto target = [&](std::int64_t paused_steps) {
+    const std::vector<ContactMemory> memories = {{0, Vec3::Zero(), paused_steps}};
+    return begin_response(overlap.scene.geometry, overlap.contacts, memories, 1, overlap.scene.start)
+        .pulls[0]
+        .push_target;
   };
-  EXPECT_EQ(target(0.5 * distance), overlap.contacts[0].target);
-  EXPECT_NEAR(target(distance + 1e-6), distance + 1e-6, 1e-15);
-  EXPECT_EQ(target(2 * distance), overlap.contacts[0].push_target);
-  overlap.contacts[0].target = 0.049 * thickness;
-  EXPECT_NEAR(target(0), 0.05 * thickness, 1e-15);
+  EXPECT_EQ(target(0), contact.push_target);
+  EXPECT_EQ(target(1), contact.paused_push_target);
+  ASSERT_LT(contact.paused_push_target, contact.push_target);
 }
 
 // Two triangles near each other, of which the lower one is near a plane; moved since they were resolved.

@@ -31,7 +31,7 @@ State a_state() {
   state.collider_poses = {a_pose()};
   state.grabs = {{7, 8, 9}};
   state.seam_lengths = {0.5, 0.25};
-  state.remembered_contacts = {{{1, 2}, {3, 4, 5, 6}, 1, {1e-9, {1, 2, 1e-300}, 7, 1e-3}}};
+  state.remembered_contacts = {{{1, 2}, {3, 4, 5, 6}, 1, {1e-9, {1, 2, 1e-300}, 7}}};
   for (int i = 0; i < 500; ++i) {
     state.positions.emplace_back(i / 3.0, -i, 1e-300 * i);
     state.velocities.emplace_back(i, 0.1 * i, -0.0);
