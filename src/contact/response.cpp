@@ -35,11 +35,11 @@ std::array<int, 4> vertices_that_count(const Contact& contact) {
   return vertices;
 }
 
-// What held it before, as far as that parts the sides by no more than `farthest`; of its friction what goes
-// across the normal now.
+// What held it before, as far as that parts the sides by no more than `farthest`, and nothing where these
+// cannot move any more; of its friction what goes across the normal now.
 void start_with(const ContactMemory& memory, double farthest, Pull& pull) {
   const double way = memory.impulse * pull.mobility;
-  const double share = way > farthest ? farthest / way : 1;
+  const double share = way > farthest ? farthest / way : way > 0 ? 1 : 0;
   const Vec4 friction = share * padded(memory.friction_impulse);
   pull.impulse = share * memory.impulse;
   pull.friction_impulse = friction - pull.normal.dot(friction) * pull.normal;
@@ -83,8 +83,7 @@ Vec4 friction_impulse(const Pull& pull, const Vec4& way) {
 
 // Returns 0: what it moves is not for a sweep to settle.
 double hold_again(const Pull& pull, std::vector<Vec4>& x) {
-  if (pull.impulse > 0 && pull.mobility > 0)
-    apply_impulse(pull, (pull.impulse * pull.normal + pull.friction_impulse).eval(), x);
+  if (pull.impulse > 0) apply_impulse(pull, (pull.impulse * pull.normal + pull.friction_impulse).eval(), x);
   return 0;
 }
 

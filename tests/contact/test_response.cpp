@@ -284,6 +284,18 @@ TEST(Response, AStepLikeTheOneBeforeNeedsNothingButItsImpulses) {
   }
 }
 
+TEST(Response, WhatCanNoLongerMoveForgetsWhatHeldIt) {
+  Scene scene = colliding(5, 0.5, {0.03, 0, 0.01});
+  const std::vector<Contact> contacts = active(scene);
+  Response held = begin_response(scene.geometry, contacts, {}, 1, scene.start);
+  resolve_contacts(1e-12, held, scene.end);
+  ASSERT_GT(held.pulls[0].impulse, 0);
+  for (double& inverse_mass : scene.geometry.inverse_masses) inverse_mass = 0;
+  Response pinned = begin_response(scene.geometry, contacts, memories_of(held), 1, scene.start);
+  resolve_contacts(1e-12, pinned, scene.end);
+  for (const ContactMemory& memory : memories_of(pinned)) EXPECT_EQ(memory.impulse, 0);
+}
+
 TEST(Response, ABlowIsNotAskedForAgain) {
   Scene scene = colliding(5, 0.5, {0.03, 0, 0.01});
   const std::vector<Contact> contacts = active(scene);
