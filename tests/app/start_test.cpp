@@ -172,7 +172,7 @@ TEST_F(RefusedStart, IsFoundByValidate) {
   EXPECT_NE(finished.err.find("cloths.napkin starts in colliders.ball"), std::string::npos) << finished.err;
 }
 
-// Exactly on each other at first; a second later nearly their thickness apart.
+// Exactly on each other at first; a second later as far apart as their thickness asks, but for a share.
 TEST(TouchingStart, GrowsToTheThickness) {
   const TemporaryFolder folder;
   const std::string scene = (folder / "layers.yaml").string();

@@ -12,17 +12,24 @@ using test::Scene;
 
 constexpr double thickness = 0.01, step = 0.001;
 
-ContactStepResult advance(Scene& scene, std::vector<RememberedContact>& remembered) {
+ContactStepResult advance(Scene& scene, const ContactSettings& settings,
+                          std::vector<RememberedContact>& remembered) {
   ContactScratch scratch = start_contacts(scene.geometry);
   Profile profile;
-  return step_contacts(scene.geometry, contact_settings(scene.geometry, step), scene.bodies, scene.start,
-                       scratch, remembered, profile, scene.end);
+  return step_contacts(scene.geometry, settings, scene.bodies, scene.start, scratch, remembered, profile,
+                       scene.end);
 }
 
-ContactStepResult advance(Scene& scene) {
-  std::vector<RememberedContact> nothing;
-  return advance(scene, nothing);
+ContactStepResult advance(Scene& scene, std::vector<RememberedContact>& remembered) {
+  return advance(scene, contact_settings(scene.geometry, step), remembered);
 }
+
+ContactStepResult advance(Scene& scene, const ContactSettings& settings) {
+  std::vector<RememberedContact> nothing;
+  return advance(scene, settings, nothing);
+}
+
+ContactStepResult advance(Scene& scene) { return advance(scene, contact_settings(scene.geometry, step)); }
 
 Scene layers(const std::vector<double>& heights) {
   Scene scene;
@@ -114,6 +121,20 @@ TEST(ContactStep, ALayerThatHasNoRoomIsLeftAlone) {
   EXPECT_NE(settled[1], 0.006);
   EXPECT_EQ(heights_after(240, scene, remembered), settled);
   EXPECT_NE(heights_after(10, scene, remembered), settled);
+}
+
+// An edge that stands on a plane and is too short: what the plane takes back of its pull is pulled again.
+TEST(ContactStep, LimitsHearOfWhatCollidersTookBack) {
+  Scene scene;
+  scene.add_cloth(one_triangle({0, thickness, 0}, {0, 0.1, 0}, {5, 0.1, 0}), thickness);
+  scene.add_plane();
+  ContactSettings settings = contact_settings(scene.geometry, step);
+  settings.edge_limits = {{{{0, 1}, 0.13, 1}}, {0, 1}};
+  const double lack = 0.13 - (0.1 - thickness);
+  advance(scene, settings);
+  EXPECT_NEAR(scene.end[0].y(), thickness, 1e-12);
+  EXPECT_NEAR(scene.end[1].y(), 0.1 + (0.5 + 0.25) * lack, 1e-12)
+      << "half of what lacks, and of what lacks still";
 }
 
 TEST(ContactStep, WhereNothingCanGiveWayTheFailSafeHoldsIt) {
