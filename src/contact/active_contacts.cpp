@@ -9,13 +9,20 @@
 namespace drape {
 namespace {
 
-// How far old overlap heals, in shares of the thickness: what lies nearly at its distance is left alone.
-// Where pushes are in vain they go on only for what comes so near that the fail-safe would hold it.
-constexpr double healed_share = 0.9, paused_share = 0.05;
-
-double healed_distance(const NarrowPhase& phase, double share, double thickness, double distance) {
-  const double healed = std::min(share * thickness, distance + phase.healing * thickness);
+// Old overlap heals by a little in each step until the surfaces are `most` apart.
+double healed_distance(const NarrowPhase& phase, double most, double thickness, double distance) {
+  const double healed = std::min(most, distance + phase.healing * thickness);
   return std::max(std::min(thickness, distance), healed);
+}
+
+// What lies nearly at its distance is left alone.
+double pushed_distance(const NarrowPhase& phase, double thickness, double distance) {
+  return healed_distance(phase, 0.9 * thickness, thickness, distance);
+}
+
+// Where pushes are in vain they go on only for what comes so near that the fail-safe would soon hold it.
+double paused_distance(const NarrowPhase& phase, double thickness, double distance) {
+  return healed_distance(phase, std::max(0.05 * thickness, 2 * phase.least_gap), thickness, distance);
 }
 
 FourPoints at_time(const FourPoints& start, const FourPoints& end, double time) {
@@ -62,8 +69,8 @@ Contact make_contact(const NarrowPhase& phase, const ContactPair& pair, const Cl
   contact.normal = closest.difference / closest.distance;
   const double gap = start_distance - pair.radius;
   contact.target = pair.radius + std::min(pair.thickness, gap);
-  contact.push_target = pair.radius + healed_distance(phase, healed_share, pair.thickness, gap);
-  contact.paused_push_target = pair.radius + healed_distance(phase, paused_share, pair.thickness, gap);
+  contact.push_target = pair.radius + pushed_distance(phase, pair.thickness, gap);
+  contact.paused_push_target = pair.radius + paused_distance(phase, pair.thickness, gap);
   contact.friction = pair.friction;
   contact.turn = pair.radius > 0 ? turning(phase, pair, closest) : Vec3::Zero();
   return contact;
@@ -173,8 +180,8 @@ static Contact make_plane_contact(const NarrowPhase& phase, const ContactPlane& 
   contact.weights = {1, 0, 0, 0};
   contact.normal = up_end;
   contact.target = offset + std::min(cloth.thickness, start_height);
-  contact.push_target = offset + healed_distance(phase, healed_share, cloth.thickness, start_height);
-  contact.paused_push_target = offset + healed_distance(phase, paused_share, cloth.thickness, start_height);
+  contact.push_target = offset + pushed_distance(phase, cloth.thickness, start_height);
+  contact.paused_push_target = offset + paused_distance(phase, cloth.thickness, start_height);
   contact.friction = pair_friction(phase.geometry, phase.geometry.vertex_body[v], plane.body);
   contact.turn = -rigid_displacement(motion, phase.motion.start[v]);
   return contact;

@@ -39,7 +39,8 @@ struct NarrowPhase {
   const ContactGeometry& geometry;
   const std::vector<BodyMotion>& bodies;
   StepMotion motion;
-  double healing;  // share of the thickness by which old overlap may heal in this step
+  double healing;    // share of the thickness by which old overlap may heal in this step
+  double least_gap;  // m: what the fail-safe keeps
 };
 
 // The listed pairs that come within their thickness on the way, each at the first time that they do (section

@@ -75,9 +75,8 @@ FailSafeResult let_go(const ContactGeometry& geometry) {
 FailSafeResult let_nothing_through(const Step& step) {
   find_pairs(step);
   return timed(step.profile, Phase::fail_safe, [&] {
-    return step.settings.fail_safe
-               ? hold_back(step.phase, step.scratch.proximity, step.settings.least_gap, step.end)
-               : let_go(step.phase.geometry);
+    return step.settings.fail_safe ? hold_back(step.phase, step.scratch.proximity, step.end)
+                                   : let_go(step.phase.geometry);
   });
 }
 
@@ -134,7 +133,7 @@ ContactStepResult step_contacts(const ContactGeometry& geometry, const ContactSe
                                 const std::vector<BodyMotion>& bodies, const std::vector<Vec3>& start,
                                 ContactScratch& scratch, std::vector<RememberedContact>& remembered,
                                 Profile& profile, std::vector<Vec3>& end) {
-  const NarrowPhase phase{geometry, bodies, {start, end}, settings.healing};
+  const NarrowPhase phase{geometry, bodies, {start, end}, settings.healing, settings.least_gap};
   const Step step{phase, settings, scratch, profile, end};
   const std::vector<Contact>& contacts = scratch.contacts;
   find_pairs(step);

@@ -19,7 +19,6 @@ struct Progress {
 struct Work {
   const NarrowPhase& phase;
   const std::vector<Vec3>& end;
-  double least_gap;
   Progress& progress;
 };
 
@@ -105,7 +104,7 @@ void stop(const Work& work, const ContactPair& pair) {
 
 // The distance that the closest points keep.
 double kept_gap(const Work& work, const ContactPair& pair, double distance) {
-  return std::min(pair.radius + work.least_gap, distance);
+  return std::min(pair.radius + work.phase.least_gap, distance);
 }
 
 struct RiskyPair {
@@ -122,7 +121,7 @@ std::vector<RiskyPair> pairs_at_risk(const Work& work, const Proximity& proximit
                      for (std::size_t p = begin; p < end; ++p) {
                        const PatchPair& patches = proximity.pairs[p];
                        const double way = patches.travelled + relative_way_if_stopped(proximity, patches) +
-                                          2 * work.least_gap;
+                                          2 * work.phase.least_gap;
                        if (way < patches.next_collision) continue;
                        for (std::size_t i = 0; i < patches.pairs.size(); ++i)
                          if (way >= patches.pairs[i].expiry + patches.pairs[i].thickness)
@@ -143,9 +142,9 @@ bool collides(const Work& work, const RiskyPair& risky) {
   const ContactPair& pair = risky.pair;
   const FourPoints start = gather(work.phase.motion.start, pair.vertices), x = reached(work, pair);
   const double motion = relative_motion(pair.kind, start, x);
-  if (risky.least_distance - motion > pair.radius + work.least_gap) return false;
+  if (risky.least_distance - motion > pair.radius + work.phase.least_gap) return false;
   const double distance = closest_points(pair.kind, start).distance, gap = kept_gap(work, pair, distance);
-  return distance - motion <= gap && time_of_contact(pair.kind, start, x, gap, 0.01 * work.least_gap);
+  return distance - motion <= gap && time_of_contact(pair.kind, start, x, gap, 0.01 * work.phase.least_gap);
 }
 
 // The watched pairs that collide as far as the vertices go now. After the first pass only those need a look
@@ -187,7 +186,7 @@ void hold_over_plane(const Work& work, const ContactPlane& plane, int v) {
   const Vec3& start = work.phase.motion.start[v];
   const Vec3 up = motion.end.rotation.col(1);
   const double height = motion.start.rotation.col(1).dot(start - motion.start.translation);
-  const double room = std::max(0.0, height - work.least_gap);
+  const double room = std::max(0.0, height - work.phase.least_gap);
   const double vertex_fall = -up.dot(work.end[v] - start);
   const double plane_rise = height - up.dot(start - motion.end.translation);
   Progress& progress = work.progress;
@@ -225,12 +224,11 @@ void keep_colliders_rigid(const Work& work) {
 
 }  // namespace
 
-FailSafeResult hold_back(const NarrowPhase& phase, const Proximity& proximity, double least_gap,
-                         std::vector<Vec3>& end) {
+FailSafeResult hold_back(const NarrowPhase& phase, const Proximity& proximity, std::vector<Vec3>& end) {
   const std::size_t vertices = end.size();
   Progress progress{
       std::vector<double>(vertices, 1.0), std::vector<double>(phase.geometry.bodies.size(), 1.0), {}, false};
-  const Work work{phase, end, least_gap, progress};
+  const Work work{phase, end, progress};
   Watch watch{pairs_at_risk(work, proximity), {}};
   watch.locked.assign(watch.pairs.size(), 0);
   FailSafeResult result;

@@ -34,13 +34,15 @@ class Random {
   std::mt19937 engine_;
 };
 
+constexpr double least_gap = 1e-4;  // m: that the fail-safe keeps
+
 // Cloths and colliders, and where a step takes them. Cloths are to be added before colliders.
 struct Scene {
   ContactGeometry geometry;
   std::vector<BodyMotion> bodies;
   std::vector<Vec3> start, end;
 
-  NarrowPhase phase() const { return {geometry, bodies, {start, end}, 0.05}; }
+  NarrowPhase phase() const { return {geometry, bodies, {start, end}, 0.05, least_gap}; }
   StepMotion motion() const { return {start, end}; }
 
   int add_cloth(const TriangleMesh& mesh, double thickness, double friction = 0) {

@@ -71,6 +71,17 @@ TEST(ActiveContacts, OverlapWhosePushesArePausedHealsToATwentiethOfTheThickness)
   EXPECT_NEAR(active(approaching(0.0085, 0.0085)).at(0).paused_push_target, 0.0085, 1e-15);
 }
 
+// A twentieth of its thickness would be less than what the fail-safe keeps.
+TEST(ActiveContacts, OverlapOfThinClothWhosePushesArePausedHealsToTwiceTheGapOfTheFailSafe) {
+  constexpr double thin = 10 * test::least_gap;
+  Scene scene;
+  scene.add_cloth(one_triangle({-1, 0, -1}, {0, 0, 1}, {1, 0, -1}), thin);
+  scene.add_cloth(one_triangle({-1, 1.9 * test::least_gap, -1}, {0, 1.9 * test::least_gap, 1},
+                               {1, 1.9 * test::least_gap, -1}),
+                  thin);
+  EXPECT_NEAR(active(scene).at(0).paused_push_target, 2 * test::least_gap, 1e-15);
+}
+
 TEST(ActiveContacts, WeightsAreBarycentricAndTheirSumIsZero) {
   Random random(1);
   Scene scene;

@@ -7,15 +7,14 @@
 namespace drape {
 namespace {
 
+using test::least_gap;
 using test::one_triangle;
 using test::Random;
 using test::Scene;
 
-constexpr double thickness = 0.01, least_gap = 1e-4;
+constexpr double thickness = 0.01;
 
-FailSafeResult hold(Scene& scene) {
-  return hold_back(scene.phase(), scene.proximity(), least_gap, scene.end);
-}
+FailSafeResult hold(Scene& scene) { return hold_back(scene.phase(), scene.proximity(), scene.end); }
 
 double radius_of(const Scene& scene, const test::AnyPair& pair) {
   const auto [a, b] = pair_bodies(scene.geometry, pair.kind, pair.vertices);
