@@ -43,13 +43,13 @@ void find_contacts(const Step& step, std::vector<Contact>& contacts) {
   });
 }
 
-// Colliders have the last word: these go on, whatever cloth would like.
+// Firm contacts have the last word.
 void keep_to_limits(const Step& step, const Response& response) {
   constexpr int most_rounds = 2;
   RecentMoves moves{std::vector<unsigned char>(step.end.size(), 0), 0};
   for (int round = 0; round < most_rounds; ++round) {
     pull_within_limits(step.settings.edge_limits, step.phase.geometry.inverse_masses, moves, step.end);
-    const std::vector<int> moved = keep_off_colliders(step.settings.largest_thickness, response, step.end);
+    const std::vector<int> moved = keep_firm_contacts(step.settings.largest_thickness, response, step.end);
     if (moved.empty()) return;
     for (const int v : moved) moves.last_sweep[v] = moves.sweeps;
   }
@@ -60,6 +60,7 @@ Response respond(const Step& step, const std::vector<RememberedContact>& remembe
   return timed(step.profile, Phase::response, [&] {
     Response response = begin_response(step.phase.geometry, contacts, recall(remembered, contacts),
                                        step.settings.held_way, step.phase.motion.start);
+    hold_again(response, step.end);
     resolve_contacts(step.settings.largest_thickness, response, step.end);
     push_apart(response, step.end);
     keep_to_limits(step, response);
@@ -80,26 +81,33 @@ FailSafeResult let_nothing_through(const Step& step) {
   });
 }
 
-void resolve_anew(const Step& step, bool with_limits) {
+// Limits have their say `limit_rounds` times, contacts after each.
+void resolve_anew(const Step& step, int limit_rounds) {
   std::vector<Contact> contacts;
   find_contacts(step, contacts);
   timed(step.profile, Phase::response, [&] {
+    const double thickness = step.settings.largest_thickness;
     Response response = begin_response(step.phase.geometry, contacts, {}, 0, step.phase.motion.start);
-    resolve_contacts(step.settings.largest_thickness, response, step.end);
-    if (with_limits) keep_to_limits(step, response);
+    resolve_contacts(thickness, response, step.end);
+    for (int round = 0; round < limit_rounds; ++round) {
+      keep_to_limits(step, response);
+      resolve_contacts(thickness, response, step.end);
+    }
+    keep_firm_contacts(thickness, response, step.end);
   });
 }
 
 // Where the fail-safe has to hold points back, contacts are left unresolved, or the response has made new
 // ones: the response is asked again before. A point that is held stays where it is in space while its cloth
-// is carried on, and edges at it stretch to a multiple of their length.
+// is carried on, and edges at it stretch to a multiple of their length. Limits are asked with the first round
+// only: passing through is worse than stretch.
 FailSafeResult settle(const Step& step) {
-  constexpr int most_rounds = 6, rounds_with_limits = 3;  // in the end, passing through is worse than stretch
+  constexpr int most_rounds = 6, limit_rounds = 3;
   std::vector<Vec3> wanted = step.end;
   FailSafeResult held = let_nothing_through(step);
   for (int round = 0; round < most_rounds && held.limited_vertices > 0; ++round) {
     const std::vector<Vec3> reached = std::exchange(step.end, wanted);
-    resolve_anew(step, round < rounds_with_limits);
+    resolve_anew(step, round == 0 ? limit_rounds : 0);
     if (step.end == wanted) {  // nothing can give way
       step.end = reached;
       break;

@@ -8,6 +8,9 @@
 namespace drape {
 namespace {
 
+constexpr int most_sweeps = 30;
+constexpr double settled = 0.01;  // of the thickness: what sweeps may leave over where things move
+
 std::vector<Vec4> all_padded(const std::vector<Vec3>& x) {
   std::vector<Vec4> result(x.size());
   parallel_for_each(x.size(), 4096, [&](std::size_t v) { result[v] = padded(x[v]); });
@@ -81,14 +84,16 @@ Vec4 friction_impulse(const Pull& pull, const Vec4& way) {
   return squared_length > most * most ? Vec4(sticking * (most / std::sqrt(squared_length))) : sticking;
 }
 
-// Returns 0: what it moves is not for a sweep to settle.
-double hold_again(const Pull& pull, std::vector<Vec4>& x) {
-  if (pull.impulse > 0) apply_impulse(pull, (pull.impulse * pull.normal + pull.friction_impulse).eval(), x);
-  return 0;
+// What the sweeps may leave over of a contact whose sides went so far in the step, squared both: where things
+// rest a remainder is a velocity of its own, and a heap of folds would never lie still.
+double squared_tolerance(double thickness, double squared_way) {
+  constexpr double share = 0.25, at_rest = 0.05;  // of the way; of what may be left where things move
+  const double most = settled * thickness * settled * thickness;
+  return std::clamp(share * share * squared_way, at_rest * at_rest * most, most);
 }
 
-// One visit of one contact; returns how far it moved the sides, in metres, squared.
-double solve(Pull& pull, std::vector<Vec4>& x) {
+// One visit of one contact; returns how far it moved the sides, squared, in tolerances.
+double solve(double thickness, Pull& pull, std::vector<Vec4>& x) {
   if (!(pull.mobility > 0)) return 0;
   const Vec4 apart = weighted_sum(pull, x);
   const double violation = pull.normal.dot(apart) - pull.target;
@@ -102,20 +107,36 @@ double solve(Pull& pull, std::vector<Vec4>& x) {
     pull.friction_impulse = friction;
   }
   apply_impulse(pull, impulse, x);
-  return pull.mobility * pull.mobility * impulse.squaredNorm();
+  return pull.mobility * pull.mobility * impulse.squaredNorm() /
+         squared_tolerance(thickness, (apart - pull.origin).squaredNorm());
 }
 
-double push(Pull& pull, std::vector<Vec4>& x) {
+// The sweep in which each vertex was moved last by what counts, 0 at first. A contact whose vertices stand
+// since the sweep before has nothing new to solve.
+using LastMoves = std::vector<unsigned char>;
+
+bool was_moved(const LastMoves& last_moves, const Pull& pull, int sweep) {
+  const auto& v = pull.vertices;
+  return std::max({last_moves[v[0]], last_moves[v[1]], last_moves[v[2]], last_moves[v[3]]}) >= sweep - 1;
+}
+
+void note_move(const Pull& pull, int sweep, LastMoves& last_moves) {
+  for (int i = 0; i < 4; ++i)
+    if (pull.responses[i] != 0) last_moves[pull.vertices[i]] = static_cast<unsigned char>(sweep);
+}
+
+// Returns whether it moved them.
+bool push(Pull& pull, std::vector<Vec4>& x) {
   const double lack = pull.push_target - pull.normal.dot(weighted_sum(pull, x));
-  if (!(pull.mobility > 0) || lack <= 0) return 0;
+  if (!(pull.mobility > 0) || lack <= 0) return false;
   const double impulse = lack * pull.effective_mass;
   pull.push_impulse += impulse;
   apply_impulse(pull, (impulse * pull.normal).eval(), x);
-  return lack * lack;
+  return true;
 }
 
 // Returns how far it moved the sides; appends the vertices that it moved.
-double keep_off(const Pull& pull, std::vector<Vec3>& x, std::vector<int>& moved) {
+double keep_firm(const Pull& pull, std::vector<Vec3>& x, std::vector<int>& moved) {
   const Vec3 normal = pull.normal.head<3>();
   const double target = pull.target + pull.push_impulse * pull.mobility;
   const double lack = target - normal.dot(weighted_sum(pull, x));
@@ -126,46 +147,42 @@ double keep_off(const Pull& pull, std::vector<Vec3>& x, std::vector<int>& moved)
   return lack;
 }
 
-// A visit for each contact, up to `most` times, until none moves anything by more than `enough` metres. It
-// returns how far it moved something, squared.
+// A visit for each contact of a range in the sweep of this number. Returns whether one of them asks for
+// another sweep.
 template <typename Visit>
-struct Sweeps {
-  int most;
-  double enough;
-  Visit visit;
-};
-
-// Returns whether anything moved by more than is enough.
-template <typename Visit>
-bool sweep_range(const Sweeps<Visit>& sweeps, std::size_t begin, std::size_t end, std::vector<Pull>& pulls) {
-  bool moved = false;
-  for (std::size_t i = begin; i < end; ++i) moved |= sweeps.visit(pulls[i]) > sweeps.enough * sweeps.enough;
-  return moved;
+bool sweep_range(const Visit& visit, int sweep, std::size_t begin, std::size_t end, auto& pulls) {
+  bool again = false;
+  for (std::size_t i = begin; i < end; ++i) again |= visit(pulls[i], sweep);
+  return again;
 }
 
 // Its parts at once, then what joins them.
 template <typename Visit>
-bool sweep_group(const Sweeps<Visit>& sweeps, const CollisionGroup& group, std::vector<Pull>& pulls) {
+bool sweep_group(const Visit& visit, int sweep, const CollisionGroup& group, auto& pulls) {
   const std::vector<std::size_t>& begin = group.part_begin;
-  std::vector<char> moved(begin.size(), false);
+  std::vector<char> again(begin.size(), false);
   if (!begin.empty())
-    parallel_for_each(begin.size() - 1, 1,
-                      [&](std::size_t p) { moved[p] = sweep_range(sweeps, begin[p], begin[p + 1], pulls); });
-  const bool joint_moved = sweep_range(sweeps, group.joints_begin, group.end, pulls);
-  return joint_moved || std::find(moved.begin(), moved.end(), true) != moved.end();
+    parallel_for_each(begin.size() - 1, 1, [&](std::size_t p) {
+      again[p] = sweep_range(visit, sweep, begin[p], begin[p + 1], pulls);
+    });
+  const bool joint_again = sweep_range(visit, sweep, group.joints_begin, group.end, pulls);
+  return joint_again || std::find(again.begin(), again.end(), true) != again.end();
 }
 
+// Up to `most` sweeps over each group, the first is number 1, until none of its contacts asks for another.
 template <typename Visit>
-void sweep_groups(int most, double enough, const Visit& visit, Response& response) {
-  const Sweeps<Visit> sweeps{most, enough, visit};
+void sweep_groups(int most, const Visit& visit, auto& response) {
   parallel_for_each(response.groups.groups.size(), 1, [&](std::size_t g) {
-    for (int sweep = 0; sweep < sweeps.most; ++sweep)
-      if (!sweep_group(sweeps, response.groups.groups[g], response.pulls)) return;
+    for (int sweep = 1; sweep <= most; ++sweep)
+      if (!sweep_group(visit, sweep, response.groups.groups[g], response.pulls)) return;
   });
 }
 
-constexpr int most_sweeps = 30;
-constexpr double settled = 0.01;  // of the thickness
+// What may not give way: a collider goes on, whatever cloth would like, and what has no thickness left is
+// soon held by the fail-safe.
+bool is_firm(const Contact& contact) {
+  return contact.meets_collider || contact.target < contact.paused_push_target;
+}
 
 }  // namespace
 
@@ -174,26 +191,40 @@ Response begin_response(const ContactGeometry& geometry, const std::vector<Conta
                         const std::vector<Vec3>& start) {
   const ContactMemory nothing{0, Vec3::Zero(), 0};
   Response response{group_contacts(geometry, start, contacts), std::vector<Pull>(contacts.size()), {}};
-  parallel_collect(contacts.size(), 512, response.at_colliders,
-                   [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& at_colliders) {
+  parallel_collect(contacts.size(), 512, response.firm,
+                   [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& firm) {
                      for (std::size_t i = begin; i < end; ++i) {
                        const int c = response.groups.order[i];
                        const Contact& contact = contacts[c];
                        response.pulls[i] = make_pull(
                            geometry, contact, memories.empty() ? nothing : memories[c], farthest, start);
-                       if (contact.meets_collider) at_colliders.push_back(i);
+                       if (is_firm(contact)) firm.push_back(i);
                      }
                    });
   return response;
 }
 
+void hold_again(const Response& response, std::vector<Vec3>& x) {
+  const auto visit = [&](const Pull& pull, int) {
+    if (pull.impulse > 0)
+      apply_impulse(pull, Vec3(pull.impulse * pull.normal.head<3>() + pull.friction_impulse.head<3>()), x);
+    return false;
+  };
+  sweep_groups(1, visit, response);
+}
+
 void resolve_contacts(double thickness, Response& response, std::vector<Vec3>& x) {
+  constexpr double counts = 0.02;  // of the tolerance: many little moves add up
   if (response.pulls.empty()) return;
   std::vector<Vec4> places = all_padded(x);
-  sweep_groups(
-      1, 0, [&](Pull& pull) { return hold_again(pull, places); }, response);
-  sweep_groups(
-      most_sweeps, settled * thickness, [&](Pull& pull) { return solve(pull, places); }, response);
+  LastMoves last_moves(x.size(), 0);
+  const auto visit = [&](Pull& pull, int sweep) {
+    if (!was_moved(last_moves, pull, sweep)) return false;
+    const double moved = solve(thickness, pull, places);
+    if (moved > counts * counts) note_move(pull, sweep, last_moves);
+    return moved > 1;
+  };
+  sweep_groups(most_sweeps, visit, response);
   unpad(places, x);
 }
 
@@ -202,17 +233,18 @@ void push_apart(Response& response, std::vector<Vec3>& x) {
   if (response.pulls.empty()) return;
   std::vector<Vec4> places = all_padded(x);
   sweep_groups(
-      most_pushes, 0, [&](Pull& pull) { return push(pull, places); }, response);
+      most_pushes, [&](Pull& pull, int) { return push(pull, places); }, response);
   unpad(places, x);
 }
 
-std::vector<int> keep_off_colliders(double thickness, const Response& response, std::vector<Vec3>& x) {
+std::vector<int> keep_firm_contacts(double thickness, const Response& response, std::vector<Vec3>& x) {
+  constexpr double left = 0.1 * settled;  // there may be no more than that between firm sides
   std::vector<int> moved;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double farthest = 0;
-    for (const std::size_t i : response.at_colliders)
-      farthest = std::max(farthest, keep_off(response.pulls[i], x, moved));
-    if (farthest <= settled * thickness) break;
+    for (const std::size_t i : response.firm)
+      farthest = std::max(farthest, keep_firm(response.pulls[i], x, moved));
+    if (farthest <= left * thickness) break;
   }
   return moved;
 }
@@ -220,15 +252,15 @@ std::vector<int> keep_off_colliders(double thickness, const Response& response, 
 std::vector<Vec3> take_pushes(std::int64_t pause, Response& response, const std::vector<Vec3>& end) {
   constexpr double in_vain = 0.9;  // of the push, that its sides have parted
   std::vector<Vec3> ways(end.size(), Vec3::Zero());
-  const auto visit = [&](Pull& pull) {
-    if (pull.push_impulse == 0) return 0.0;
+  const auto visit = [&](Pull& pull, int) {
+    if (pull.push_impulse == 0) return false;
     const Vec3 way = weighted_sum(pull, end) - pull.origin.head<3>(), normal = pull.normal.head<3>();
     const double share = std::clamp(normal.dot(way) / (pull.push_impulse * pull.mobility), 0.0, 1.0);
     if (share < in_vain) pull.paused_steps = pause;
     apply_impulse(pull, Vec3(share * pull.push_impulse * normal), ways);
-    return 0.0;
+    return false;
   };
-  sweep_groups(1, 0, visit, response);
+  sweep_groups(1, visit, response);
   return ways;
 }
 

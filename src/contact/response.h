@@ -32,8 +32,8 @@ struct Pull {
 // The response to a step's contacts, group by group.
 struct Response {
   CollisionGroups groups;
-  std::vector<Pull> pulls;                // pulls[i] is of the contact groups.order[i]
-  std::vector<std::size_t> at_colliders;  // those with a collider or a plane
+  std::vector<Pull> pulls;        // pulls[i] is of the contact groups.order[i]
+  std::vector<std::size_t> firm;  // those that may not give way
 };
 
 // Each contact starts with what its memory says held it (`memories` may be empty): that is much the same
@@ -44,20 +44,25 @@ Response begin_response(const ContactGeometry& geometry, const std::vector<Conta
                         const std::vector<ContactMemory>& memories, double farthest,
                         const std::vector<Vec3>& start);
 
-// Once for a response: moves the step's end positions x by what held the contacts in the step before, and
-// then so that every contact keeps its target: iterated, local, momentum-conserving pulls (after Spillmann
+// Once for a response: moves the step's end positions x by what its contacts start with.
+void hold_again(const Response& response, std::vector<Vec3>& x);
+
+// Moves x so that every contact keeps its target: iterated, local, momentum-conserving pulls (after Spillmann
 // and Teschner 2008), as projected Gauss-Seidel on the accumulated impulses, with Coulomb friction against
-// the way since the start. A group is settled when a sweep moves none of its contacts by more than a
-// hundredth of `thickness` (metres). What the pulls bring nearer to each other is not found here.
+// the way since the start. A group is settled when a sweep moves no contact by more than it may leave over: a
+// quarter of the way that the contact's sides have gone, at most a hundredth of `thickness` (metres) and at
+// least a twentieth of that. After the first, sweeps pass over what has not moved since. What the pulls bring
+// nearer to each other is not found here.
 void resolve_contacts(double thickness, Response& response, std::vector<Vec3>& x);
 
 // Afterwards: moves overlapping sides a little way apart, positions only.
 void push_apart(Response& response, std::vector<Vec3>& x);
 
-// When other constraints have moved points after that: contacts with colliders keep their target and their
-// push again, along their normals. Returns the vertices that this moved, some of them often. A collider goes
-// on, whatever cloth would like; cloth has a thickness to give.
-std::vector<int> keep_off_colliders(double thickness, const Response& response, std::vector<Vec3>& x);
+// When other constraints have moved points after that: firm contacts keep their target and their push again,
+// along their normals. These are contacts with colliders, which go on whatever cloth would like, and those of
+// cloth that is nearer than what pushes are paused to: what has more thickness can give some. Returns the
+// vertices that this moved, some of them often.
+std::vector<int> keep_firm_contacts(double thickness, const Response& response, std::vector<Vec3>& x);
 
 // What of the vertices' ways from the start to `end` was such a push and must not go into the velocities, in
 // m: of each contact as much as its sides have really parted. Where something pushes them together again, the

@@ -57,7 +57,7 @@ TEST(ContactScenes, AStackOfSheetsComesToRest) {
   }
   input.colliders.push_back(ground());
   Simulation simulation(input);
-  const FrameStatistics statistics = advance(simulation, 20);
+  const FrameStatistics statistics = advance(simulation, 30);
   EXPECT_LT(statistics.kinetic_energy / total_mass(simulation), 1e-10);
 }
 
