@@ -46,12 +46,13 @@ void find_contacts(const Step& step, std::vector<Contact>& contacts) {
 // Firm contacts have the last word.
 void keep_to_limits(const Step& step, const Response& response) {
   constexpr int most_rounds = 2;
-  RecentMoves moves{std::vector<unsigned char>(step.end.size(), 0), 0};
+  const EdgeLimits& limits = step.settings.edge_limits;
+  EdgesInDoubt in_doubt = doubt_all(limits);
   for (int round = 0; round < most_rounds; ++round) {
-    pull_within_limits(step.settings.edge_limits, step.phase.geometry.inverse_masses, moves, step.end);
+    pull_within_limits(limits, step.phase.geometry.inverse_masses, in_doubt, step.end);
     const std::vector<int> moved = keep_firm_contacts(step.settings.largest_thickness, response, step.end);
-    if (moved.empty()) return;
-    for (const int v : moved) moves.last_sweep[v] = moves.sweeps;
+    if (moved.empty() || limits.edges.empty()) return;
+    for (const int v : moved) doubt_edges_at(limits, v, in_doubt);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 #include "core/parallel.h"
 
@@ -28,22 +29,20 @@ bool pull_edge(const EdgeLimits::Edge& edge, const std::vector<double>& inverse_
   return true;
 }
 
-// Returns whether any edge was out of its limits.
-bool sweep(const EdgeLimits& limits, const std::vector<double>& inverse_masses, RecentMoves& moves,
+// Returns whether any edge was out of its limits. Edges of a colour share no vertex, but neighbours: two
+// threads may doubt the same edge.
+bool sweep(const EdgeLimits& limits, const std::vector<double>& inverse_masses, EdgesInDoubt& in_doubt,
            std::vector<Vec3>& x) {
   constexpr std::size_t block = 2048;
   std::atomic<bool> pulled = false;
-  const unsigned char number = ++moves.sweeps;
-  std::vector<unsigned char>& last = moves.last_sweep;
   for (std::size_t color = 0; color + 1 < limits.color_begin.size(); ++color) {
     const std::size_t begin = limits.color_begin[color];
     parallel_for_each(limits.color_begin[color + 1] - begin, block, [&](std::size_t i) {
+      if (!in_doubt[begin + i]) return;
+      in_doubt[begin + i] = 0;
       const EdgeLimits::Edge& edge = limits.edges[begin + i];
-      const auto& [a, b] = edge.vertices;
-      if (std::max(last[a], last[b]) + 1 < number || is_within(edge, x) ||
-          !pull_edge(edge, inverse_masses, x))
-        return;
-      last[a] = last[b] = number;
+      if (is_within(edge, x) || !pull_edge(edge, inverse_masses, x)) return;
+      for (const int v : edge.vertices) doubt_edges_at(limits, v, in_doubt);
       pulled.store(true, std::memory_order_relaxed);
     });
   }
@@ -52,11 +51,32 @@ bool sweep(const EdgeLimits& limits, const std::vector<double>& inverse_masses, 
 
 }  // namespace
 
+EdgeLimits make_edge_limits(std::vector<EdgeLimits::Edge> edges, std::vector<std::size_t> color_begin,
+                            int vertices) {
+  EdgeLimits limits{std::move(edges), std::move(color_begin), std::vector<int>(vertices + 1, 0), {}};
+  std::vector<int>& begin = limits.vertex_edge_begin;
+  for (const EdgeLimits::Edge& edge : limits.edges)
+    for (const int v : edge.vertices) ++begin[v + 1];
+  for (int v = 0; v < vertices; ++v) begin[v + 1] += begin[v];
+  limits.vertex_edges.resize(begin.back());
+  std::vector<int> next = begin;
+  for (std::size_t e = 0; e < limits.edges.size(); ++e)
+    for (const int v : limits.edges[e].vertices) limits.vertex_edges[next[v]++] = static_cast<int>(e);
+  return limits;
+}
+
+EdgesInDoubt doubt_all(const EdgeLimits& limits) { return EdgesInDoubt(limits.edges.size(), 1); }
+
+void doubt_edges_at(const EdgeLimits& limits, int vertex, EdgesInDoubt& in_doubt) {
+  for (int i = limits.vertex_edge_begin[vertex]; i < limits.vertex_edge_begin[vertex + 1]; ++i)
+    std::atomic_ref(in_doubt[limits.vertex_edges[i]]).store(1, std::memory_order_relaxed);
+}
+
 void pull_within_limits(const EdgeLimits& limits, const std::vector<double>& inverse_masses,
-                        RecentMoves& moves, std::vector<Vec3>& x) {
+                        EdgesInDoubt& in_doubt, std::vector<Vec3>& x) {
   constexpr int most_sweeps = 5;
   for (int i = 0; i < most_sweeps; ++i)
-    if (!sweep(limits, inverse_masses, moves, x)) return;
+    if (!sweep(limits, inverse_masses, in_doubt, x)) return;
 }
 
 }  // namespace drape

@@ -16,21 +16,28 @@ struct EdgeLimits {
   };
   std::vector<Edge> edges;
   std::vector<std::size_t> color_begin;  // of colour c: edges[color_begin[c] .. color_begin[c + 1])
+  std::vector<int> vertex_edge_begin;    // edges at vertex v: vertex_edges[begin[v] .. begin[v + 1])
+  std::vector<int> vertex_edges;
 };
 
-// The sweep in which each vertex was moved last. An edge whose vertices stand since it was looked at needs no
-// look: most of a cloth is within its limits.
-struct RecentMoves {
-  std::vector<unsigned char> last_sweep;  // of each vertex; zeros at first
-  unsigned char sweeps = 0;               // up to 255: 51 calls
-};
+// Of edges in the order of their colours.
+EdgeLimits make_edge_limits(std::vector<EdgeLimits::Edge> edges, std::vector<std::size_t> color_begin,
+                            int vertices);
+
+// For each edge, whether it may be out of its limits: most of a cloth is within them.
+using EdgesInDoubt = std::vector<unsigned char>;
+
+EdgesInDoubt doubt_all(const EdgeLimits& limits);
+
+// When something has moved a vertex.
+void doubt_edges_at(const EdgeLimits& limits, int vertex, EdgesInDoubt& in_doubt);
 
 // Contact moves points and not cloth: one that is pushed aside alone leaves its edges too long on one side
 // and too short on the other; and what one elastic sweep leaves undone stretches edges where cloth whips.
 // Here the cloth around takes its share, in up to five Gauss-Seidel sweeps that keep both momenta (after
-// Provot 1995, Deformation Constraints in a Mass-Spring Model). Vertices of inverse mass 0 stay. A vertex
-// that others have moved since the last call must have moves.sweeps as its last sweep.
+// Provot 1995, Deformation Constraints in a Mass-Spring Model). Vertices of inverse mass 0 stay. Looks
+// at the edges in doubt, of which some may be left.
 void pull_within_limits(const EdgeLimits& limits, const std::vector<double>& inverse_masses,
-                        RecentMoves& moves, std::vector<Vec3>& x);
+                        EdgesInDoubt& in_doubt, std::vector<Vec3>& x);
 
 }  // namespace drape

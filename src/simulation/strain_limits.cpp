@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "deformation/coloring.h"
 #include "deformation/membrane_material.h"
@@ -45,10 +46,11 @@ EdgeLimits::Edge limit_edge(const Sheet& sheet, const Edge& edge) {
 EdgeLimits build_strain_limits(const Sheet& sheet) {
   std::vector<std::array<int, 2>> edges;
   for (const Edge& edge : sheet.topology.edges) edges.push_back(edge.vertices);
-  const Coloring coloring = color_elements(static_cast<int>(sheet.rest_positions.size()), edges);
-  EdgeLimits limits{{}, coloring.color_begin};
-  for (const int e : coloring.order) limits.edges.push_back(limit_edge(sheet, sheet.topology.edges[e]));
-  return limits;
+  const int vertices = static_cast<int>(sheet.rest_positions.size());
+  const Coloring coloring = color_elements(vertices, edges);
+  std::vector<EdgeLimits::Edge> limits;
+  for (const int e : coloring.order) limits.push_back(limit_edge(sheet, sheet.topology.edges[e]));
+  return make_edge_limits(std::move(limits), coloring.color_begin, vertices);
 }
 
 }  // namespace drape

@@ -129,7 +129,7 @@ TEST(ContactStep, LimitsHearOfWhatCollidersTookBack) {
   scene.add_cloth(one_triangle({0, thickness, 0}, {0, 0.1, 0}, {5, 0.1, 0}), thickness);
   scene.add_plane();
   ContactSettings settings = contact_settings(scene.geometry, step);
-  settings.edge_limits = {{{{0, 1}, 0.13, 1}}, {0, 1}};
+  settings.edge_limits = make_edge_limits({{{0, 1}, 0.13, 1}}, {0, 1}, 3);
   const double lack = 0.13 - (0.1 - thickness);
   advance(scene, settings);
   EXPECT_NEAR(scene.end[0].y(), thickness, 1e-12);

@@ -18,18 +18,20 @@ struct Chain {
 
   explicit Chain(int points) : inverse_masses(points, 1) {
     for (int i = 0; i < points; ++i) x.emplace_back(i, 0, 0);
+    std::vector<EdgeLimits::Edge> edges;
+    std::vector<std::size_t> color_begin;
     for (const int first : {0, 1}) {
-      limits.color_begin.push_back(limits.edges.size());
-      for (int i = first; i + 1 < points; i += 2) limits.edges.push_back({{i, i + 1}, 0.9, 1.1});
+      color_begin.push_back(edges.size());
+      for (int i = first; i + 1 < points; i += 2) edges.push_back({{i, i + 1}, 0.9, 1.1});
     }
-    limits.color_begin.push_back(limits.edges.size());
+    color_begin.push_back(edges.size());
+    limits = make_edge_limits(edges, color_begin, points);
   }
 
   void pull() {
-    RecentMoves moves = none();
-    pull_within_limits(limits, inverse_masses, moves, x);
+    EdgesInDoubt in_doubt = doubt_all(limits);
+    pull_within_limits(limits, inverse_masses, in_doubt, x);
   }
-  RecentMoves none() const { return {std::vector<unsigned char>(x.size(), 0), 0}; }
   double length(int edge) const { return (x[edge + 1] - x[edge]).norm(); }
 };
 
@@ -108,9 +110,9 @@ TEST(EdgeLimits, AnEdgeIsPulledAlongItself) {
 void pull_all(const EdgeLimits& limits, const std::vector<double>& inverse_masses, std::vector<Vec3>& x) {
   for (int sweep = 0; sweep < 5; ++sweep)
     for (const EdgeLimits::Edge& edge : limits.edges) {
-      const EdgeLimits one{{edge}, {0, 1}};
-      RecentMoves moves{std::vector<unsigned char>(x.size(), 0), 0};
-      pull_within_limits(one, inverse_masses, moves, x);
+      const EdgeLimits one = make_edge_limits({edge}, {0, 1}, static_cast<int>(x.size()));
+      EdgesInDoubt in_doubt = doubt_all(one);
+      pull_within_limits(one, inverse_masses, in_doubt, x);
     }
 }
 
@@ -120,15 +122,15 @@ TEST(EdgeLimits, GoOnWhereTheLastCallEnded) {
   Chain chain(400);
   for (Vec3& p : chain.x) p += random.vector(0.2);
   Chain again = chain;
-  RecentMoves moves = chain.none();
+  EdgesInDoubt in_doubt = doubt_all(chain.limits);
   for (int call = 0; call < 3; ++call) {
     for (const int v : {10, 11, 200}) {
       const Vec3 way = random.vector(0.5);
       chain.x[v] += way;
       again.x[v] += way;
-      moves.last_sweep[v] = moves.sweeps;
+      doubt_edges_at(chain.limits, v, in_doubt);
     }
-    pull_within_limits(chain.limits, chain.inverse_masses, moves, chain.x);
+    pull_within_limits(chain.limits, chain.inverse_masses, in_doubt, chain.x);
     again.pull();
     ASSERT_EQ(chain.x, again.x) << "call " << call;
   }
