@@ -47,7 +47,7 @@ void find_contacts(const Step& step, std::vector<Contact>& contacts) {
 void keep_to_limits(const Step& step, const Response& response) {
   constexpr int most_rounds = 2;
   const EdgeLimits& limits = step.settings.edge_limits;
-  EdgesInDoubt in_doubt = doubt_all(limits);
+  EdgesInDoubt in_doubt = find_edges_out_of_limits(limits, step.end);
   for (int round = 0; round < most_rounds; ++round) {
     pull_within_limits(limits, step.phase.geometry.inverse_masses, in_doubt, step.end);
     const std::vector<int> moved = keep_firm_contacts(step.settings.largest_thickness, response, step.end);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "core/parallel.h"
@@ -12,7 +13,7 @@ namespace {
 
 bool is_within(const EdgeLimits::Edge& edge, const std::vector<Vec3>& x) {
   const double squared_length = (x[edge.vertices[1]] - x[edge.vertices[0]]).squaredNorm();
-  return squared_length <= edge.longest * edge.longest && squared_length >= edge.shortest * edge.shortest;
+  return (squared_length <= edge.longest * edge.longest) & (squared_length >= edge.shortest * edge.shortest);
 }
 
 // Returns whether it could.
@@ -29,22 +30,35 @@ bool pull_edge(const EdgeLimits::Edge& edge, const std::vector<double>& inverse_
   return true;
 }
 
-// Returns whether any edge was out of its limits. Edges of a colour share no vertex, but neighbours: two
-// threads may doubt the same edge.
+// Returns whether an edge of [begin, end) was out of its limits, and could be pulled. Edges of a colour share
+// no vertex, but neighbours: two threads may doubt the same edge.
+bool sweep_edges(const EdgeLimits& limits, std::size_t begin, std::size_t end,
+                 const std::vector<double>& inverse_masses, EdgesInDoubt& in_doubt, std::vector<Vec3>& x) {
+  bool pulled = false;
+  const auto first = in_doubt.begin(), last = first + static_cast<std::ptrdiff_t>(end);
+  const auto is_in_doubt = [](unsigned char doubt) { return doubt != 0; };
+  for (auto doubt = first + static_cast<std::ptrdiff_t>(begin);
+       (doubt = std::find_if(doubt, last, is_in_doubt)) != last; ++doubt) {
+    *doubt = 0;
+    const EdgeLimits::Edge& edge = limits.edges[static_cast<std::size_t>(doubt - first)];
+    if (is_within(edge, x) || !pull_edge(edge, inverse_masses, x)) continue;
+    for (const int v : edge.vertices) doubt_edges_at(limits, v, in_doubt);
+    pulled = true;
+  }
+  return pulled;
+}
+
 bool sweep(const EdgeLimits& limits, const std::vector<double>& inverse_masses, EdgesInDoubt& in_doubt,
            std::vector<Vec3>& x) {
   constexpr std::size_t block = 2048;
   std::atomic<bool> pulled = false;
   for (std::size_t color = 0; color + 1 < limits.color_begin.size(); ++color) {
-    const std::size_t begin = limits.color_begin[color];
-    parallel_for_each(limits.color_begin[color + 1] - begin, block, [&](std::size_t i) {
-      if (!in_doubt[begin + i]) return;
-      in_doubt[begin + i] = 0;
-      const EdgeLimits::Edge& edge = limits.edges[begin + i];
-      if (is_within(edge, x) || !pull_edge(edge, inverse_masses, x)) return;
-      for (const int v : edge.vertices) doubt_edges_at(limits, v, in_doubt);
-      pulled.store(true, std::memory_order_relaxed);
-    });
+    const std::size_t first = limits.color_begin[color];
+    parallel_blocks(limits.color_begin[color + 1] - first, block,
+                    [&](std::size_t begin, std::size_t end, std::size_t) {
+                      if (sweep_edges(limits, first + begin, first + end, inverse_masses, in_doubt, x))
+                        pulled.store(true, std::memory_order_relaxed);
+                    });
   }
   return pulled;
 }
@@ -57,7 +71,7 @@ EdgeLimits make_edge_limits(std::vector<EdgeLimits::Edge> edges, std::vector<std
   std::vector<int>& begin = limits.vertex_edge_begin;
   for (const EdgeLimits::Edge& edge : limits.edges)
     for (const int v : edge.vertices) ++begin[v + 1];
-  for (int v = 0; v < vertices; ++v) begin[v + 1] += begin[v];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
   limits.vertex_edges.resize(begin.back());
   std::vector<int> next = begin;
   for (std::size_t e = 0; e < limits.edges.size(); ++e)
@@ -65,7 +79,12 @@ EdgeLimits make_edge_limits(std::vector<EdgeLimits::Edge> edges, std::vector<std
   return limits;
 }
 
-EdgesInDoubt doubt_all(const EdgeLimits& limits) { return EdgesInDoubt(limits.edges.size(), 1); }
+EdgesInDoubt find_edges_out_of_limits(const EdgeLimits& limits, const std::vector<Vec3>& x) {
+  EdgesInDoubt out(limits.edges.size());
+  parallel_for_each(out.size(), 2048,
+                    [&edges = limits.edges, &out, &x](std::size_t e) { out[e] = !is_within(edges[e], x); });
+  return out;
+}
 
 void doubt_edges_at(const EdgeLimits& limits, int vertex, EdgesInDoubt& in_doubt) {
   for (int i = limits.vertex_edge_begin[vertex]; i < limits.vertex_edge_begin[vertex + 1]; ++i)

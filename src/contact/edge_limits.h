@@ -27,7 +27,8 @@ EdgeLimits make_edge_limits(std::vector<EdgeLimits::Edge> edges, std::vector<std
 // For each edge, whether it may be out of its limits: most of a cloth is within them.
 using EdgesInDoubt = std::vector<unsigned char>;
 
-EdgesInDoubt doubt_all(const EdgeLimits& limits);
+// Those that are out of them.
+EdgesInDoubt find_edges_out_of_limits(const EdgeLimits& limits, const std::vector<Vec3>& x);
 
 // When something has moved a vertex.
 void doubt_edges_at(const EdgeLimits& limits, int vertex, EdgesInDoubt& in_doubt);

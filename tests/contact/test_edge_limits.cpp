@@ -29,7 +29,7 @@ struct Chain {
   }
 
   void pull() {
-    EdgesInDoubt in_doubt = doubt_all(limits);
+    EdgesInDoubt in_doubt = find_edges_out_of_limits(limits, x);
     pull_within_limits(limits, inverse_masses, in_doubt, x);
   }
   double length(int edge) const { return (x[edge + 1] - x[edge]).norm(); }
@@ -111,7 +111,7 @@ void pull_all(const EdgeLimits& limits, const std::vector<double>& inverse_masse
   for (int sweep = 0; sweep < 5; ++sweep)
     for (const EdgeLimits::Edge& edge : limits.edges) {
       const EdgeLimits one = make_edge_limits({edge}, {0, 1}, static_cast<int>(x.size()));
-      EdgesInDoubt in_doubt = doubt_all(one);
+      EdgesInDoubt in_doubt = find_edges_out_of_limits(one, x);
       pull_within_limits(one, inverse_masses, in_doubt, x);
     }
 }
@@ -122,7 +122,7 @@ TEST(EdgeLimits, GoOnWhereTheLastCallEnded) {
   Chain chain(400);
   for (Vec3& p : chain.x) p += random.vector(0.2);
   Chain again = chain;
-  EdgesInDoubt in_doubt = doubt_all(chain.limits);
+  EdgesInDoubt in_doubt = find_edges_out_of_limits(chain.limits, chain.x);
   for (int call = 0; call < 3; ++call) {
     for (const int v : {10, 11, 200}) {
       const Vec3 way = random.vector(0.5);
