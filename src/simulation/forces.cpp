@@ -1,57 +1,58 @@
 #include "simulation/forces.h"
 
+#include <algorithm>
+
 #include "core/parallel.h"
+#include "simulation/plate_in_air.h"
 #include "simulation/wind.h"
 
 namespace drape {
 namespace {
 
 constexpr std::size_t block = 256;
-constexpr double air_density = 1.2;  // kg/m3, at 20 degrees Celsius and sea level
-
 // Half of it is the triangle's area along its normal.
 Vec3 doubled_area(const Triangle& triangle, const std::vector<Vec3>& x) {
   const auto& [a, b, c] = triangle;
   return (x[b] - x[a]).cross(x[c] - x[a]);
 }
 
-// The force of air that streams past a flat plate with the velocity u, at the angle a to its plane:
-//   1/2 rho A |u|2 (C_D sin a n + C_T cos a t + C_L sin a cos a l),
-// n and t along the parts of u across and along the plate, l at right angles to u. The first two terms are
-// pressure and skin friction (Hoerner 1965, Fluid-Dynamic Drag, chapters 2 and 3), the third is the lift of
-// Keckeisen et al. 2004 (Interactive Animation of Cloth including Self Collision Detection). It is the same
-// for either direction of the normal, and goes to zero smoothly with u.
-Vec3 force_of_air(const WindInput& wind, const Vec3& u, const Vec3& area) {
-  const double size = area.norm(), speed = u.norm();
-  if (!(size > 0 && speed > 0)) return Vec3::Zero();
-  const Vec3 normal = area / size;
-  const double across = normal.dot(u);
-  const Vec3 pressure = wind.drag * across * normal;
-  const Vec3 friction = wind.tangential_drag * (u - across * normal);
-  const Vec3 lift = wind.lift * (across * normal - across * across / (speed * speed) * u);
-  return 0.5 * air_density * size * speed * (pressure + friction + lift);
+// What the air sees of four triangles.
+struct Plates {
+  LaneVec3<Array4> stream;  // m/s: of the air, relative to them
+  LaneVec3<Array4> area;    // m2: along the normals
+  Array4 mass;              // kg
+};
+
+void set_lane(LaneVec3<Array4>& vectors, int lane, const Vec3& value) {
+  vectors.x[lane] = value.x();
+  vectors.y[lane] = value.y();
+  vectors.z[lane] = value.z();
 }
 
-// The same over all the steps that the force will last, cut as an implicit step cuts a linear drag. With f
-// the force, u the relative velocity and m the triangle's mass, which makes a third of the mass at its
-// corners,
-//   sum m |v - w|2 <= before - sum (2 h f.u - h2 |f|2 / m)
-// by Cauchy's inequality at each point, and the cut keeps h |f|2 / m under f.u.
-Vec3 lasting_force(const Vec3& force, const Vec3& u, double mass, double step) {
-  const double power = force.dot(u);
-  if (!(power > 0)) return Vec3::Zero();
-  return force * (power / (power + step * force.squaredNorm() / mass));
-}
-
-Vec3 air_on_triangle(const World& world, int t, double time, const std::vector<Vec3>& x,
-                     const std::vector<Vec3>& velocities) {
-  const Sheet& sheet = world.sheet;
-  const Triangle& triangle = sheet.triangles[t];
+void set_plate(const World& world, int t, double time, const std::vector<Vec3>& x,
+               const std::vector<Vec3>& velocities, int lane, Plates& plates) {
+  const Triangle& triangle = world.sheet.triangles[t];
   const auto& [a, b, c] = triangle;
   const Vec3 air = wind_at(world.input.wind, (x[a] + x[b] + x[c]) / 3, time);
-  const Vec3 u = air - (velocities[a] + velocities[b] + velocities[c]) / 3;
-  const Vec3 force = force_of_air(world.input.wind, u, 0.5 * doubled_area(triangle, x));
-  return lasting_force(force, u, world.triangle_masses[t], world.steps_per_air * world.step);
+  set_lane(plates.stream, lane, air - (velocities[a] + velocities[b] + velocities[c]) / 3);
+  set_lane(plates.area, lane, 0.5 * doubled_area(triangle, x));
+  plates.mass[lane] = world.triangle_masses[t];
+}
+
+// On the triangles from `first` on, up to four; lanes beyond the last one are its own again.
+void air_on_triangles(const World& world, std::size_t first, double time, const std::vector<Vec3>& x,
+                      const std::vector<Vec3>& velocities, std::vector<Vec3>& forces) {
+  Plates plates;
+  const std::size_t count = std::min<std::size_t>(4, forces.size() - first);
+  for (std::size_t lane = 0; lane < 4; ++lane)
+    set_plate(world, static_cast<int>(first + std::min(lane, count - 1)), time, x, velocities,
+              static_cast<int>(lane), plates);
+  const LaneVec3<Array4> force = lasting_force(force_of_air(world.input.wind, plates.stream, plates.area),
+                                               plates.stream, plates.mass, world.steps_per_air * world.step);
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    const int i = static_cast<int>(lane);
+    forces[first + lane] = {force.x[i], force.y[i], force.z[i]};
+  }
 }
 
 bool has_air(const WindInput& wind) { return wind.drag > 0 || wind.tangential_drag > 0; }
@@ -71,8 +72,8 @@ void feel_air(const World& world, double time, const std::vector<Vec3>& position
               const std::vector<Vec3>& velocities, std::vector<Vec3>& air_forces) {
   if (!has_air(world.input.wind)) return;
   air_forces.resize(world.sheet.triangles.size());
-  parallel_for_each(air_forces.size(), block, [&](std::size_t t) {
-    air_forces[t] = air_on_triangle(world, static_cast<int>(t), time, positions, velocities);
+  parallel_for_each((air_forces.size() + 3) / 4, block / 4, [&](std::size_t i) {
+    air_on_triangles(world, 4 * i, time, positions, velocities, air_forces);
   });
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "simulation/forces.h"
+#include "simulation/plate_in_air.h"
 #include "simulation/scenarios.h"
 #include "simulation/wind.h"
 
@@ -102,6 +103,40 @@ TEST(Air, NeverAddsRelativeMotion) {
         state.velocities[v] += world.steps_per_air * world.step * accelerations[v];
     }
   }
+}
+
+LaneVec3<double> as_lane(const Vec3& x) { return {x.x(), x.y(), x.z()}; }
+
+// Of one triangle by itself.
+Vec3 slow_force(const World& world, std::size_t t, const State& state) {
+  const auto& [a, b, c] = world.sheet.triangles[t];
+  const std::vector<Vec3>&x = state.positions, &v = state.velocities;
+  const LaneVec3<double> stream = as_lane(world.input.wind.velocity - (v[a] + v[b] + v[c]) / 3);
+  const LaneVec3<double> area = as_lane(0.5 * (x[b] - x[a]).cross(x[c] - x[a]));
+  const LaneVec3<double> force = lasting_force(force_of_air(world.input.wind, stream, area), stream,
+                                               world.triangle_masses[t], world.steps_per_air * world.step);
+  return {force.x, force.y, force.z};
+}
+
+// Eight triangles, and two over; one is collapsed, and one flies with the wind.
+TEST(Air, FourTrianglesAtATimeGiveTheBitsOfEachByItself) {
+  SimulationInput input = simulate_alone(sheet(0.2, 3, 0));
+  input.wind = {Vec3(3, -5, 8), 0, 2, 0, 1.1, 0.1, 0.7};
+  input.cloths.push_back(sheet(0.3, 2, 1));
+  const World world = build_world(input);
+  ASSERT_NE(world.sheet.triangles.size() % 4, 0);
+  State state = initial_state(world);
+  for (std::size_t v = 0; v < state.positions.size(); ++v)
+    state.velocities[v] = 4 * Vec3(std::sin(v), std::cos(5 * v), std::sin(7 * v));
+  for (const int v : world.sheet.triangles[0]) state.velocities[v] = input.wind.velocity;
+  const auto& [a, b, c] = world.sheet.triangles[1];
+  state.positions[c] = 0.5 * (state.positions[a] + state.positions[b]);
+  std::vector<Vec3> forces;
+  feel_air(world, 0, state.positions, state.velocities, forces);
+  for (std::size_t t = 0; t < forces.size(); ++t) EXPECT_EQ(forces[t], slow_force(world, t, state)) << t;
+  EXPECT_EQ(forces[0], Vec3(Vec3::Zero()));
+  EXPECT_EQ(forces[1], Vec3(Vec3::Zero()));
+  EXPECT_NE(forces[2], Vec3(Vec3::Zero()));
 }
 
 TEST(Air, LeavesPinnedPointsAndAVacuumAlone) {
