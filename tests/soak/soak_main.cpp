@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <exception>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,11 @@ int main(int count, char** arguments) {
     return 2;
   }
   drape::keep_freed_memory();
-  return drape::soak::soak(arguments[1], count > 2 ? std::atoi(arguments[2]) : 200,
-                           count > 3 ? std::strtoull(arguments[3], nullptr, 10) : 1);
+  try {
+    return drape::soak::soak(arguments[1], count > 2 ? std::atoi(arguments[2]) : 200,
+                             count > 3 ? std::strtoull(arguments[3], nullptr, 10) : 1);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "soak: {}\n", error.what());
+    return 1;
+  }
 }
