@@ -36,6 +36,7 @@ bool sweep_edges(const EdgeLimits& limits, std::size_t begin, std::size_t end,
                  const std::vector<double>& inverse_masses, EdgesInDoubt& in_doubt, std::vector<Vec3>& x) {
   bool pulled = false;
   const auto first = in_doubt.begin(), last = first + static_cast<std::ptrdiff_t>(end);
+  // In a loop that writes what it reads, bytes would be looked for at half the speed.
   const auto is_in_doubt = [](unsigned char doubt) { return doubt != 0; };
   for (auto doubt = first + static_cast<std::ptrdiff_t>(begin);
        (doubt = std::find_if(doubt, last, is_in_doubt)) != last; ++doubt) {

@@ -114,6 +114,7 @@ double solve(double thickness, Pull& pull, std::vector<Vec4>& x) {
 // The sweep in which each vertex was moved last by what counts, 0 at first. A contact whose vertices stand
 // since the sweep before has nothing new to solve.
 using LastMoves = std::vector<unsigned char>;
+static_assert(most_sweeps <= 255);
 
 bool was_moved(const LastMoves& last_moves, const Pull& pull, int sweep) {
   const auto& v = pull.vertices;
@@ -238,7 +239,7 @@ void push_apart(Response& response, std::vector<Vec3>& x) {
 }
 
 std::vector<int> keep_firm_contacts(double thickness, const Response& response, std::vector<Vec3>& x) {
-  constexpr double left = 0.1 * settled;  // there may be no more than that between firm sides
+  constexpr double left = 0.1 * settled;  // of the thickness: firm sides may lack no more
   std::vector<int> moved;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double farthest = 0;

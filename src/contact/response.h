@@ -44,7 +44,7 @@ Response begin_response(const ContactGeometry& geometry, const std::vector<Conta
                         const std::vector<ContactMemory>& memories, double farthest,
                         const std::vector<Vec3>& start);
 
-// Once for a response: moves the step's end positions x by what its contacts start with.
+// Once, before resolve_contacts, where memories were given: x lacks the impulses that contacts start with.
 void hold_again(const Response& response, std::vector<Vec3>& x);
 
 // Moves x so that every contact keeps its target: iterated, local, momentum-conserving pulls (after Spillmann

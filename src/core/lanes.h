@@ -93,7 +93,7 @@ inline bool all_positive(Lanes test) {
 }
 inline bool all_positive(float test) { return test > 0; }
 
-// Three coordinates (and a fourth number) of one point, or of eight.
+// Three coordinates (and a fourth number) of one point, or of several.
 template <typename Number>
 struct LaneVec3 {
   Number x, y, z;

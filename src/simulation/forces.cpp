@@ -10,6 +10,7 @@ namespace drape {
 namespace {
 
 constexpr std::size_t block = 256;
+
 // Half of it is the triangle's area along its normal.
 Vec3 doubled_area(const Triangle& triangle, const std::vector<Vec3>& x) {
   const auto& [a, b, c] = triangle;
@@ -39,7 +40,7 @@ void set_plate(const World& world, int t, double time, const std::vector<Vec3>& 
   plates.mass[lane] = world.triangle_masses[t];
 }
 
-// On the triangles from `first` on, up to four; lanes beyond the last one are its own again.
+// On the triangles from `first` on, up to four; lanes beyond the last triangle repeat it.
 void air_on_triangles(const World& world, std::size_t first, double time, const std::vector<Vec3>& x,
                       const std::vector<Vec3>& velocities, std::vector<Vec3>& forces) {
   Plates plates;

@@ -17,6 +17,7 @@ inline Array4 root(const Array4& a) { return a.sqrt(); }
 inline double if_positive(double test, double value) { return test > 0 ? value : 0; }
 inline Array4 if_positive(const Array4& test, const Array4& value) { return (test > 0).select(value, 0.0); }
 
+// Without the fused multiply-add of lanes.h's dot.
 template <typename Number>
 Number inner_product(const LaneVec3<Number>& a, const LaneVec3<Number>& b) {
   return (a.x * b.x + a.y * b.y) + a.z * b.z;

@@ -171,11 +171,10 @@ inline double least_distance(PairKind kind, const FourPoints& start, const FourP
   return least;
 }
 
-// Resolves the contacts until no visit moves anything by more than a hundredth of `settled`; returns the pull
-// of each.
-inline std::vector<Pull> resolve(Scene& scene, const std::vector<Contact>& contacts, double settled) {
+// Resolves the contacts as cloth of that thickness; returns the pull of each.
+inline std::vector<Pull> resolve(Scene& scene, const std::vector<Contact>& contacts, double thickness) {
   Response response = begin_response(scene.geometry, contacts, {}, 1, scene.start);
-  resolve_contacts(settled, response, scene.end);
+  resolve_contacts(thickness, response, scene.end);
   std::vector<Pull> pulls(contacts.size());
   for (std::size_t i = 0; i < contacts.size(); ++i) pulls[response.groups.order[i]] = response.pulls[i];
   return pulls;

@@ -310,6 +310,26 @@ TEST(Response, WhereThingsRestLessIsLeftOver) {
   EXPECT_LT(left_over(0.3 * thickness), 0.01 * thickness);
 }
 
+// Sweeps pass over what has not moved: nothing may be missed by that.
+TEST(Response, AnotherRoundOverAllContactsFindsLittleToDo) {
+  for (unsigned seed = 1; seed < 10; ++seed) {
+    Scene scene = crumpling(seed, 0);
+    const std::vector<Contact> contacts = active(scene);
+    Response response = begin_response(scene.geometry, contacts, {}, 1, scene.start);
+    const std::vector<Vec3> wanted = scene.end;
+    resolve_contacts(thickness, response, scene.end);
+    const std::vector<Vec3> once = scene.end;
+    resolve_contacts(thickness, response, scene.end);
+    double first = 0, second = 0;
+    for (std::size_t v = 0; v < once.size(); ++v) {
+      first = std::max(first, (once[v] - wanted[v]).norm());
+      second = std::max(second, (scene.end[v] - once[v]).norm());
+    }
+    EXPECT_GT(first, thickness);
+    EXPECT_LT(second, 0.01 * thickness);
+  }
+}
+
 // What held a contact holds it again: nothing is left to do.
 TEST(Response, AStepLikeTheOneBeforeNeedsNothingButItsImpulses) {
   for (const double friction : {0.0, 0.5}) {

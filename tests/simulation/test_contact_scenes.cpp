@@ -49,6 +49,7 @@ TEST(ContactScenes, AHeapOfFoldsComesToRest) {
   EXPECT_LT(statistics.kinetic_energy / total_mass(simulation), 1e-7);  // J/kg
 }
 
+// After a second: contacts that moved little are not visited again in a step, and it takes so long.
 TEST(ContactScenes, AStackOfSheetsComesToRest) {
   SimulationInput input;
   for (int layer = 0; layer < 5; ++layer) {
