@@ -20,9 +20,14 @@ double pushed_distance(const NarrowPhase& phase, double thickness, double distan
   return healed_distance(phase, 0.9 * thickness, thickness, distance);
 }
 
-// Where pushes are in vain they go on only for what comes so near that the fail-safe would soon hold it.
+// What is nearer would soon be held by the fail-safe.
+double firm_distance(const NarrowPhase& phase, double thickness) {
+  return std::max(0.05 * thickness, 2 * phase.least_gap);
+}
+
+// Where pushes are in vain they go on only for what is as near as that.
 double paused_distance(const NarrowPhase& phase, double thickness, double distance) {
-  return healed_distance(phase, std::max(0.05 * thickness, 2 * phase.least_gap), thickness, distance);
+  return healed_distance(phase, firm_distance(phase, thickness), thickness, distance);
 }
 
 FourPoints at_time(const FourPoints& start, const FourPoints& end, double time) {
@@ -63,11 +68,12 @@ Contact make_contact(const NarrowPhase& phase, const ContactPair& pair, const Cl
                      double start_distance) {
   Contact contact{};
   contact.kind = static_cast<int>(pair.kind);
-  contact.meets_collider = pair.meets_collider;
   contact.vertices = pair.vertices;
   contact.weights = closest.weights;
   contact.normal = closest.difference / closest.distance;
   const double gap = start_distance - pair.radius;
+  contact.is_firm = pair.meets_collider || gap < firm_distance(phase, pair.thickness);
+  contact.thickness = pair.thickness;
   contact.target = pair.radius + std::min(pair.thickness, gap);
   contact.push_target = pair.radius + pushed_distance(phase, pair.thickness, gap);
   contact.paused_push_target = pair.radius + paused_distance(phase, pair.thickness, gap);
@@ -174,11 +180,12 @@ static Contact make_plane_contact(const NarrowPhase& phase, const ContactPlane& 
   const double offset = up_end.dot(motion.end.translation);
   Contact contact{};
   contact.kind = first_plane_kind + plane.body;
-  contact.meets_collider = true;
+  contact.is_firm = true;
   contact.place = {after_all_patches + plane.body, v};
   contact.vertices = {v, v, v, v};
   contact.weights = {1, 0, 0, 0};
   contact.normal = up_end;
+  contact.thickness = cloth.thickness;
   contact.target = offset + std::min(cloth.thickness, start_height);
   contact.push_target = offset + pushed_distance(phase, cloth.thickness, start_height);
   contact.paused_push_target = offset + paused_distance(phase, cloth.thickness, start_height);

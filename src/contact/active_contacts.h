@@ -14,14 +14,15 @@ constexpr int after_all_patches = 1 << 30;  // the place of the first plane
 // A contact that the response has to hold: along `normal`, the two sides (weights as in ClosestPoints) must
 // stay `target` apart at the step's end.
 struct Contact {
-  int kind;             // of its pair, or first_plane_kind + the plane's body
-  bool meets_collider;  // or a plane
+  int kind;      // of its pair, or first_plane_kind + the plane's body
+  bool is_firm;  // may not give way: a collider or a plane, or cloth with no thickness left to give
   // By which contacts are ordered: its second and its first patch, or for a plane after_all_patches + its
   // body, and the vertex. With kind and vertices it says which contact this is.
   std::array<int, 2> place;
   std::array<int, 4> vertices;
   std::array<double, 4> weights;  // a vertex that plays no part has 0
   Vec3 normal;                    // unit, from the second side to the first
+  double thickness;               // m: how far apart the surfaces are where there is room
   double target;              // m: what is kept in this step; old overlap is no more than kept from growing
   double push_target;         // m: what the push after the step grows towards
   double paused_push_target;  // m: the same while its pushes are paused

@@ -50,7 +50,7 @@ void keep_to_limits(const Step& step, const Response& response) {
   EdgesInDoubt in_doubt = find_edges_out_of_limits(limits, step.end);
   for (int round = 0; round < most_rounds; ++round) {
     pull_within_limits(limits, step.phase.geometry.inverse_masses, in_doubt, step.end);
-    const std::vector<int> moved = keep_firm_contacts(step.settings.largest_thickness, response, step.end);
+    const std::vector<int> moved = keep_firm_contacts(response, step.end);
     if (moved.empty() || limits.edges.empty()) return;
     for (const int v : moved) doubt_edges_at(limits, v, in_doubt);
   }
@@ -62,7 +62,7 @@ Response respond(const Step& step, const std::vector<RememberedContact>& remembe
     Response response = begin_response(step.phase.geometry, contacts, recall(remembered, contacts),
                                        step.settings.held_way, step.phase.motion.start);
     hold_again(response, step.end);
-    resolve_contacts(step.settings.largest_thickness, response, step.end);
+    resolve_contacts(response, step.end);
     push_apart(response, step.end);
     keep_to_limits(step, response);
     return response;
@@ -87,14 +87,13 @@ void resolve_anew(const Step& step, int limit_rounds) {
   std::vector<Contact> contacts;
   find_contacts(step, contacts);
   timed(step.profile, Phase::response, [&] {
-    const double thickness = step.settings.largest_thickness;
     Response response = begin_response(step.phase.geometry, contacts, {}, 0, step.phase.motion.start);
-    resolve_contacts(thickness, response, step.end);
+    resolve_contacts(response, step.end);
     for (int round = 0; round < limit_rounds; ++round) {
       keep_to_limits(step, response);
-      resolve_contacts(thickness, response, step.end);
+      resolve_contacts(response, step.end);
     }
-    keep_firm_contacts(thickness, response, step.end);
+    keep_firm_contacts(response, step.end);
   });
 }
 
@@ -127,8 +126,6 @@ ContactSettings contact_settings(const ContactGeometry& geometry, double step) {
   constexpr double pause = 0.25;             // s
   const double edge = mean_cloth_edge(geometry);
   ContactSettings settings;
-  for (const ContactBody& body : geometry.bodies)
-    settings.largest_thickness = std::max(settings.largest_thickness, body.thickness);
   settings.healing = step / healing_time;
   settings.held_way = held_acceleration * step * step;
   settings.push_pause = static_cast<std::int64_t>(std::ceil(pause / step));

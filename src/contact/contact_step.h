@@ -13,7 +13,6 @@ namespace drape {
 
 struct ContactSettings {
   ProximityMargins margins;
-  double largest_thickness = 0;
   double least_gap = 1e-5;  // m: what the fail-safe keeps
   bool fail_safe = true;
   double healing = 0;   // share of the thickness by which old overlap may heal in a step
@@ -21,7 +20,7 @@ struct ContactSettings {
   std::int64_t push_pause = 0;  // steps for which a contact is left alone that was pushed in vain
   EdgeLimits edge_limits = {};
 };
-// From the cloths' mean edge length and thickness, and the step in seconds.
+// From the cloths' mean edge length, and the step in seconds.
 ContactSettings contact_settings(const ContactGeometry& geometry, double step);
 
 struct ContactStepResult {

@@ -9,7 +9,6 @@ namespace drape {
 namespace {
 
 constexpr int most_sweeps = 30;
-constexpr double settled = 0.01;  // of the thickness: what sweeps may leave over where things move
 
 std::vector<Vec4> all_padded(const std::vector<Vec3>& x) {
   std::vector<Vec4> result(x.size());
@@ -51,10 +50,12 @@ void start_with(const ContactMemory& memory, double farthest, Pull& pull) {
 
 Pull make_pull(const ContactGeometry& geometry, const Contact& contact, const ContactMemory& memory,
                double farthest, const std::vector<Vec3>& start) {
+  constexpr double tolerance = 0.01;  // of the thickness
   Pull pull;
   pull.vertices = vertices_that_count(contact);
   pull.target = contact.target;
   pull.push_target = memory.paused_steps > 0 ? contact.paused_push_target : contact.push_target;
+  pull.tolerance = tolerance * contact.thickness;
   pull.friction = contact.friction;
   pull.normal = padded(contact.normal);
   pull.push_impulse = pull.mobility = 0;
@@ -86,14 +87,14 @@ Vec4 friction_impulse(const Pull& pull, const Vec4& way) {
 
 // What the sweeps may leave over of a contact whose sides went so far in the step, squared both: where things
 // rest a remainder is a velocity of its own, and a heap of folds would never lie still.
-double squared_tolerance(double thickness, double squared_way) {
+double squared_tolerance(const Pull& pull, double squared_way) {
   constexpr double share = 0.25, at_rest = 0.05;  // of the way; of what may be left where things move
-  const double most = settled * thickness * settled * thickness;
+  const double most = pull.tolerance * pull.tolerance;
   return std::clamp(share * share * squared_way, at_rest * at_rest * most, most);
 }
 
 // One visit of one contact; returns how far it moved the sides, squared, in tolerances.
-double solve(double thickness, Pull& pull, std::vector<Vec4>& x) {
+double solve(Pull& pull, std::vector<Vec4>& x) {
   if (!(pull.mobility > 0)) return 0;
   const Vec4 apart = weighted_sum(pull, x);
   const double violation = pull.normal.dot(apart) - pull.target;
@@ -108,7 +109,7 @@ double solve(double thickness, Pull& pull, std::vector<Vec4>& x) {
   }
   apply_impulse(pull, impulse, x);
   return pull.mobility * pull.mobility * impulse.squaredNorm() /
-         squared_tolerance(thickness, (apart - pull.origin).squaredNorm());
+         squared_tolerance(pull, (apart - pull.origin).squaredNorm());
 }
 
 // The sweep in which each vertex was moved last by what counts, 0 at first. A contact whose vertices stand
@@ -136,7 +137,7 @@ bool push(Pull& pull, std::vector<Vec4>& x) {
   return true;
 }
 
-// Returns how far it moved the sides; appends the vertices that it moved.
+// Returns how far it moved the sides, in tolerances; appends the vertices that it moved.
 double keep_firm(const Pull& pull, std::vector<Vec3>& x, std::vector<int>& moved) {
   const Vec3 normal = pull.normal.head<3>();
   const double target = pull.target + pull.push_impulse * pull.mobility;
@@ -145,7 +146,7 @@ double keep_firm(const Pull& pull, std::vector<Vec3>& x, std::vector<int>& moved
   apply_impulse(pull, (lack * pull.effective_mass * normal).eval(), x);
   for (int i = 0; i < 4; ++i)
     if (pull.responses[i] != 0) moved.push_back(pull.vertices[i]);
-  return lack;
+  return lack / pull.tolerance;
 }
 
 // A visit for each contact of a range in the sweep of this number. Returns whether one of them asks for
@@ -179,12 +180,6 @@ void sweep_groups(int most, const Visit& visit, auto& response) {
   });
 }
 
-// What may not give way: a collider goes on, whatever cloth would like, and what has no thickness left is
-// soon held by the fail-safe.
-bool is_firm(const Contact& contact) {
-  return contact.meets_collider || contact.target < contact.paused_push_target;
-}
-
 }  // namespace
 
 Response begin_response(const ContactGeometry& geometry, const std::vector<Contact>& contacts,
@@ -199,7 +194,7 @@ Response begin_response(const ContactGeometry& geometry, const std::vector<Conta
                        const Contact& contact = contacts[c];
                        response.pulls[i] = make_pull(
                            geometry, contact, memories.empty() ? nothing : memories[c], farthest, start);
-                       if (is_firm(contact)) firm.push_back(i);
+                       if (contact.is_firm) firm.push_back(i);
                      }
                    });
   return response;
@@ -214,14 +209,14 @@ void hold_again(const Response& response, std::vector<Vec3>& x) {
   sweep_groups(1, visit, response);
 }
 
-void resolve_contacts(double thickness, Response& response, std::vector<Vec3>& x) {
-  constexpr double counts = 0.02;  // of the tolerance: many little moves add up
+void resolve_contacts(Response& response, std::vector<Vec3>& x) {
+  constexpr double counts = 0.01;  // of the tolerance: many little moves add up
   if (response.pulls.empty()) return;
   std::vector<Vec4> places = all_padded(x);
   LastMoves last_moves(x.size(), 0);
   const auto visit = [&](Pull& pull, int sweep) {
     if (!was_moved(last_moves, pull, sweep)) return false;
-    const double moved = solve(thickness, pull, places);
+    const double moved = solve(pull, places);
     if (moved > counts * counts) note_move(pull, sweep, last_moves);
     return moved > 1;
   };
@@ -238,14 +233,14 @@ void push_apart(Response& response, std::vector<Vec3>& x) {
   unpad(places, x);
 }
 
-std::vector<int> keep_firm_contacts(double thickness, const Response& response, std::vector<Vec3>& x) {
-  constexpr double left = 0.1 * settled;  // of the thickness: firm sides may lack no more
+std::vector<int> keep_firm_contacts(const Response& response, std::vector<Vec3>& x) {
+  constexpr double left = 0.1;  // of the tolerance: firm sides may lack no more
   std::vector<int> moved;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double farthest = 0;
     for (const std::size_t i : response.firm)
       farthest = std::max(farthest, keep_firm(response.pulls[i], x, moved));
-    if (farthest <= left * thickness) break;
+    if (farthest <= left) break;
   }
   return moved;
 }

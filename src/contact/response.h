@@ -19,6 +19,7 @@ struct Pull {
   double mobility;              // how far the sides part under a unit impulse, in 1/kg; 0: nothing can move
   double effective_mass;        // its inverse
   double target, push_target;   // m: as the contact's
+  double tolerance;             // m: what sweeps may leave over where things move
   double friction;
   double impulse;             // lambda: kg m, never negative; at first what held the contact in the last step
   double push_impulse;        // kg m: the push's
@@ -50,10 +51,10 @@ void hold_again(const Response& response, std::vector<Vec3>& x);
 // Moves x so that every contact keeps its target: iterated, local, momentum-conserving pulls (after Spillmann
 // and Teschner 2008), as projected Gauss-Seidel on the accumulated impulses, with Coulomb friction against
 // the way since the start. A group is settled when a sweep moves no contact by more than it may leave over: a
-// quarter of the way that the contact's sides have gone, at most a hundredth of `thickness` (metres) and at
-// least a twentieth of that. After the first, sweeps pass over what has not moved since. What the pulls bring
+// quarter of the way that the contact's sides have gone, at most a hundredth of its thickness and at least a
+// twentieth of that. After the first, sweeps pass over what has not moved since. What the pulls bring
 // nearer to each other is not found here.
-void resolve_contacts(double thickness, Response& response, std::vector<Vec3>& x);
+void resolve_contacts(Response& response, std::vector<Vec3>& x);
 
 // Afterwards: moves overlapping sides a little way apart, positions only.
 void push_apart(Response& response, std::vector<Vec3>& x);
@@ -62,7 +63,7 @@ void push_apart(Response& response, std::vector<Vec3>& x);
 // along their normals. These are contacts with colliders, which go on whatever cloth would like, and those of
 // cloth that is nearer than what pushes are paused to: what has more thickness can give some. Returns the
 // vertices that this moved, some of them often.
-std::vector<int> keep_firm_contacts(double thickness, const Response& response, std::vector<Vec3>& x);
+std::vector<int> keep_firm_contacts(const Response& response, std::vector<Vec3>& x);
 
 // What of the vertices' ways from the start to `end` was such a push and must not go into the velocities, in
 // m: of each contact as much as its sides have really parted. Where something pushes them together again, the

@@ -10,12 +10,14 @@
 
 namespace drape {
 
-inline double root(double a) { return std::sqrt(a); }
-inline Array4 root(const Array4& a) { return a.sqrt(); }
+inline double square_root(double a) { return std::sqrt(a); }
+inline Array4 square_root(const Array4& a) { return a.sqrt(); }
 
-// test > 0 ? value : 0
-inline double if_positive(double test, double value) { return test > 0 ? value : 0; }
-inline Array4 if_positive(const Array4& test, const Array4& value) { return (test > 0).select(value, 0.0); }
+// test > 0 ? yes : no
+inline double where_positive(double test, double yes, double no) { return test > 0 ? yes : no; }
+inline Array4 where_positive(const Array4& test, const Array4& yes, double no) {
+  return (test > 0).select(yes, no);
+}
 
 // Without the fused multiply-add of lanes.h's dot.
 template <typename Number>
@@ -34,7 +36,7 @@ template <typename Number>
 LaneVec3<Number> force_of_air(const WindInput& wind, const LaneVec3<Number>& u,
                               const LaneVec3<Number>& area) {
   constexpr double air_density = 1.2;  // kg/m3, at 20 degrees Celsius and sea level
-  const Number size = root(inner_product(area, area)), speed = root(inner_product(u, u));
+  const Number size = square_root(inner_product(area, area)), speed = square_root(inner_product(u, u));
   const LaneVec3<Number> normal = {area.x / size, area.y / size, area.z / size};
   const Number across = inner_product(normal, u);
   const LaneVec3<Number> across_plate = across * normal;
@@ -43,7 +45,9 @@ LaneVec3<Number> force_of_air(const WindInput& wind, const LaneVec3<Number>& u,
   const LaneVec3<Number> lift =
       Number(wind.lift) * (across_plate - Number(across * across / (speed * speed)) * u);
   const LaneVec3<Number> force = Number(0.5 * air_density * size * speed) * (pressure + friction + lift);
-  const auto where_defined = [&](const Number& f) { return if_positive(size, if_positive(speed, f)); };
+  const auto where_defined = [&](const Number& f) {
+    return where_positive(size, Number(where_positive(speed, f, 0.0)), 0.0);
+  };
   return {where_defined(force.x), where_defined(force.y), where_defined(force.z)};
 }
 
@@ -56,7 +60,8 @@ template <typename Number>
 LaneVec3<Number> lasting_force(const LaneVec3<Number>& force, const LaneVec3<Number>& u, const Number& mass,
                                double duration) {
   const Number power = inner_product(force, u);
-  const Number cut = if_positive(power, power / (power + duration * inner_product(force, force) / mass));
+  const Number cut =
+      where_positive(power, Number(power / (power + duration * inner_product(force, force) / mass)), 0.0);
   return cut * force;
 }
 

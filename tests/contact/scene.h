@@ -171,10 +171,16 @@ inline double least_distance(PairKind kind, const FourPoints& start, const FourP
   return least;
 }
 
-// Resolves the contacts as cloth of that thickness; returns the pull of each.
-inline std::vector<Pull> resolve(Scene& scene, const std::vector<Contact>& contacts, double thickness) {
+// As of cloth so thin that sweeps leave nothing over.
+inline std::vector<Contact> exact(std::vector<Contact> contacts) {
+  for (Contact& contact : contacts) contact.thickness = 1e-12;
+  return contacts;
+}
+
+// Resolves the contacts; returns the pull of each.
+inline std::vector<Pull> resolve(Scene& scene, const std::vector<Contact>& contacts) {
   Response response = begin_response(scene.geometry, contacts, {}, 1, scene.start);
-  resolve_contacts(thickness, response, scene.end);
+  resolve_contacts(response, scene.end);
   std::vector<Pull> pulls(contacts.size());
   for (std::size_t i = 0; i < contacts.size(); ++i) pulls[response.groups.order[i]] = response.pulls[i];
   return pulls;

@@ -102,13 +102,12 @@ TEST(ContactGeometry, ThePairsBodiesAreThoseOfItsSides) {
             (std::array{bodies.second, bodies.first}));
 }
 
-TEST(ContactSettings, FollowTheMeanEdgeAndTheThickestCloth) {
+TEST(ContactSettings, FollowTheMeanEdge) {
   Scene scene;
   scene.add_cloth(one_triangle({0, 0, 0}, {3, 0, 0}, {0, 4, 0}), 0.002);
   scene.add_cloth(one_triangle({0, 0, 0}, {6, 0, 0}, {0, 8, 0}), 0.007);
   scene.add_mesh(one_triangle({0, 0, 0}, {600, 0, 0}, {0, 800, 0}));
   const ContactSettings settings = contact_settings(scene.geometry, 0.002);
-  EXPECT_EQ(settings.largest_thickness, 0.007);
   EXPECT_GT(settings.margins.least, 0);
   EXPECT_GT(settings.margins.most, settings.margins.least);
   EXPECT_LT(settings.margins.most, 6);

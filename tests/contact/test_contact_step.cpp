@@ -72,6 +72,25 @@ TEST(ContactStep, WhatOthersPushOnAPlaneKeepsItsThicknessOverIt) {
   for (int i = 0; i < 3; ++i) EXPECT_GT(scene.end[i].y(), 0.98 * thickness);
 }
 
+// The upper layer drives the middle one down, one of whose corners meets what stays and was not near it: only
+// the second search finds that. Its edges let the other corners not go on alone.
+TEST(ContactStep, WhatIsResolvedAnewKeepsItsEdgesWithinTheirLimits) {
+  constexpr double side = 0.05;
+  const TriangleMesh mesh = one_triangle({0, 0, 0}, {side, 0, 0}, {0, 0, side});
+  Scene scene;
+  scene.add_cloth(test::shifted(mesh, {-0.6 * side, 0, -0.3 * side}), thickness);
+  scene.add_cloth(test::shifted(mesh, {0, 0.03, 0}), thickness);
+  scene.add_cloth(test::shifted(mesh, {0, 0.045, 0}), thickness);
+  for (int v = 0; v < 3; ++v) scene.geometry.inverse_masses[v] = 0;
+  lower(scene, 2, 0.1);
+  ContactSettings settings = contact_settings(scene.geometry, step);
+  settings.edge_limits = make_edge_limits(
+      {{{3, 4}, 0.95 * side, 1.05 * side}, {{3, 5}, 0.95 * side, 1.05 * side}}, {0, 1, 2}, 9);
+  EXPECT_EQ(advance(scene, settings).limited_vertices, 0);
+  EXPECT_LT((scene.end[4] - scene.end[3]).norm(), 1.06 * side);
+  EXPECT_LT((scene.end[5] - scene.end[3]).norm(), 1.06 * side);
+}
+
 // Eight layers on a plane, which weigh on each other: sweeps alone end before the lowest carries all.
 TEST(ContactStep, WhatHeldAStackInTheLastStepHoldsItInTheNext) {
   Scene scene = layers({0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08});

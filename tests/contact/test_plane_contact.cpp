@@ -30,7 +30,7 @@ std::vector<Contact> plane_contacts(const Scene& scene) {
   return contacts;
 }
 
-void resolve(Scene& scene) { test::resolve(scene, plane_contacts(scene), thickness); }
+void resolve(Scene& scene) { test::resolve(scene, plane_contacts(scene)); }
 
 TEST(PlaneContact, VerticesAtOrUnderTheirThicknessAtTheEndAreInContact) {
   Scene scene = over_plane(0.02);
