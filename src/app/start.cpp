@@ -8,6 +8,7 @@
 
 #include "app/fault_picture.h"
 #include "app/triangle_names.h"
+#include "contact/contact_step.h"
 #include "mesh/loop_subdivision.h"
 #include "render/png_file.h"
 #include "scene/load.h"
@@ -17,7 +18,6 @@ namespace drape::app {
 namespace fs = std::filesystem;
 
 static constexpr double layer_gap = 20e-6;  // m, between layers that touch at first
-static constexpr double least_gap = 10e-6;  // m, that the fail-safe keeps
 
 namespace {
 
@@ -89,7 +89,8 @@ static CertifiedSurface judge(const SceneDescription& scene, const ClothSurface&
 }
 
 static bool is_apart(const SceneDescription& scene, const CertifiedSurface& certified) {
-  return is_clean(certified) && (!scene.self_collision || certified.figures.smallest_gap >= least_gap);
+  return is_clean(certified) &&
+         (!scene.self_collision || certified.figures.smallest_gap >= ContactSettings().least_gap);
 }
 
 static std::size_t count_faults(const CertifiedSurface& certified) {

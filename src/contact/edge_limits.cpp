@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "core/parallel.h"
@@ -68,16 +67,10 @@ bool sweep(const EdgeLimits& limits, const std::vector<double>& inverse_masses, 
 
 EdgeLimits make_edge_limits(std::vector<EdgeLimits::Edge> edges, std::vector<std::size_t> color_begin,
                             int vertices) {
-  EdgeLimits limits{std::move(edges), std::move(color_begin), std::vector<int>(vertices + 1, 0), {}};
-  std::vector<int>& begin = limits.vertex_edge_begin;
-  for (const EdgeLimits::Edge& edge : limits.edges)
-    for (const int v : edge.vertices) ++begin[v + 1];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  limits.vertex_edges.resize(begin.back());
-  std::vector<int> next = begin;
-  for (std::size_t e = 0; e < limits.edges.size(); ++e)
-    for (const int v : limits.edges[e].vertices) limits.vertex_edges[next[v]++] = static_cast<int>(e);
-  return limits;
+  std::vector<int> slots;
+  for (const EdgeLimits::Edge& edge : edges)
+    slots.insert(slots.end(), edge.vertices.begin(), edge.vertices.end());
+  return {std::move(edges), std::move(color_begin), build_incidence(vertices, slots)};
 }
 
 EdgesInDoubt find_edges_out_of_limits(const EdgeLimits& limits, const std::vector<Vec3>& x) {
@@ -88,8 +81,9 @@ EdgesInDoubt find_edges_out_of_limits(const EdgeLimits& limits, const std::vecto
 }
 
 void doubt_edges_at(const EdgeLimits& limits, int vertex, EdgesInDoubt& in_doubt) {
-  for (int i = limits.vertex_edge_begin[vertex]; i < limits.vertex_edge_begin[vertex + 1]; ++i)
-    std::atomic_ref(in_doubt[limits.vertex_edges[i]]).store(1, std::memory_order_relaxed);
+  const auto& [begin, slots] = limits.incidence;
+  for (std::size_t i = begin[vertex]; i < begin[vertex + 1]; ++i)
+    std::atomic_ref(in_doubt[slots[i] / 2]).store(1, std::memory_order_relaxed);
 }
 
 void pull_within_limits(const EdgeLimits& limits, const std::vector<double>& inverse_masses,

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/incidence.h"
 #include "core/vector.h"
 
 namespace drape {
@@ -16,8 +17,7 @@ struct EdgeLimits {
   };
   std::vector<Edge> edges;
   std::vector<std::size_t> color_begin;  // of colour c: edges[color_begin[c] .. color_begin[c + 1])
-  std::vector<int> vertex_edge_begin;    // edges at vertex v: vertex_edges[begin[v] .. begin[v + 1])
-  std::vector<int> vertex_edges;
+  Incidence incidence;                   // the slots 2 e and 2 e + 1 are of edge e
 };
 
 // Of edges in the order of their colours.

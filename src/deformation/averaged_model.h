@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "deformation/incidence.h"
+#include "core/incidence.h"
 #include "deformation/sheet.h"
 #include "deformation/triangle_match.h"
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "deformation/incidence.h"
+#include "core/incidence.h"
 #include "deformation/sheet.h"
 
 namespace drape {

@@ -1,4 +1,4 @@
-#include "deformation/incidence.h"
+#include "core/incidence.h"
 
 #include <numeric>
 

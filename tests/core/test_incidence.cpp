@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "deformation/incidence.h"
+#include "core/incidence.h"
 
 namespace drape {
 namespace {
