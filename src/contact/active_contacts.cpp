@@ -160,7 +160,7 @@ std::size_t contacts_of_last_look(const Proximity& proximity, std::size_t begin,
 }  // namespace
 
 void find_active_pairs(const NarrowPhase& phase, Proximity& proximity, std::vector<Contact>& contacts) {
-  constexpr std::size_t block = 128;
+  constexpr std::size_t block = 32;
   parallel_collect(
       proximity.pairs.size(), block, contacts,
       [&](std::size_t begin, std::size_t end, std::vector<Contact>& out) {

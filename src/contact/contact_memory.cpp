@@ -8,7 +8,7 @@
 namespace drape {
 namespace {
 
-constexpr std::size_t block = 512;
+constexpr std::size_t block = 256;
 
 bool is_same(const RememberedContact& remembered, const Contact& contact) {
   // Not `==`, which calls memcmp for so little.

@@ -33,7 +33,7 @@ Bounds way_of(const Patch& patch, const std::vector<Vec4>& vertex_ways) {
 void measure_ways(const StepMotion& motion, Proximity& proximity) {
   proximity.vertex_ways.resize(motion.start.size());
   proximity.ways.resize(proximity.patches.size());
-  parallel_for_each(motion.start.size(), 2048, [&](std::size_t v) {
+  parallel_for_each(motion.start.size(), 1024, [&](std::size_t v) {
     proximity.vertex_ways[v] = padded(motion.end[v] - motion.start[v]);
   });
   parallel_for_each(proximity.patches.size(), patch_block, [&](std::size_t p) {

@@ -12,12 +12,12 @@ constexpr int most_sweeps = 30;
 
 std::vector<Vec4> all_padded(const std::vector<Vec3>& x) {
   std::vector<Vec4> result(x.size());
-  parallel_for_each(x.size(), 4096, [&](std::size_t v) { result[v] = padded(x[v]); });
+  parallel_for_each(x.size(), 1024, [&](std::size_t v) { result[v] = padded(x[v]); });
   return result;
 }
 
 void unpad(const std::vector<Vec4>& padded, std::vector<Vec3>& x) {
-  parallel_for_each(x.size(), 4096, [&](std::size_t v) { x[v] = padded[v].head<3>(); });
+  parallel_for_each(x.size(), 1024, [&](std::size_t v) { x[v] = padded[v].head<3>(); });
 }
 
 template <typename Points>
@@ -187,7 +187,7 @@ Response begin_response(const ContactGeometry& geometry, const std::vector<Conta
                         const std::vector<Vec3>& start) {
   const ContactMemory nothing{0, Vec3::Zero(), 0};
   Response response{group_contacts(geometry, start, contacts), std::vector<Pull>(contacts.size()), {}};
-  parallel_collect(contacts.size(), 512, response.firm,
+  parallel_collect(contacts.size(), 128, response.firm,
                    [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& firm) {
                      for (std::size_t i = begin; i < end; ++i) {
                        const int c = response.groups.order[i];
@@ -262,7 +262,7 @@ std::vector<Vec3> take_pushes(std::int64_t pause, Response& response, const std:
 
 std::vector<ContactMemory> memories_of(const Response& response) {
   std::vector<ContactMemory> memories(response.pulls.size());
-  parallel_for_each(memories.size(), 512, [&](std::size_t i) {
+  parallel_for_each(memories.size(), 256, [&](std::size_t i) {
     const Pull& pull = response.pulls[i];
     memories[response.groups.order[i]] = {pull.impulse, pull.friction_impulse.head<3>(), pull.paused_steps};
   });

@@ -242,7 +242,7 @@ BendingStage build_bending(const Sheet& sheet, const std::vector<int>& patches,
 void load_bending(const BendingStage& stage, const SplitPoints& start, std::vector<LaneRow>& base) {
   const std::size_t height = bending_base_rows(stage);
   base.resize(height * stage.order.row_count());
-  parallel_for_each(stage.order.row_count(), 512, [&](std::size_t row) {
+  parallel_for_each(stage.order.row_count(), 128, [&](std::size_t row) {
     load_bending_row<Lanes>(stage, start, row, {}, &base[height * row]);
   });
 }

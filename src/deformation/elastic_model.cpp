@@ -122,7 +122,7 @@ void load_elastic(const ElasticModel& model, const std::vector<Vec3>& start, Ela
 
 namespace {
 
-constexpr std::size_t points_a_block = 4096;
+constexpr std::size_t points_a_block = 1024;
 
 void load_vectors(const ElasticModel& model, const std::vector<Vec3>& vectors, std::vector<Point4>& points) {
   points = model.inverse_masses;

@@ -79,7 +79,7 @@ FibreStage build_fibres(const Sheet& sheet, const std::vector<double>& stiffness
 }
 
 // Groups that a thread takes after each other, in the same scratch, which so stays in its caches.
-constexpr std::size_t groups_a_block = 4;
+constexpr std::size_t groups_a_block = 2;
 
 static std::size_t largest_block_count(const FibreStage& stage) {
   std::size_t largest = 0;

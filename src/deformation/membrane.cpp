@@ -103,7 +103,7 @@ MembraneStage build_membrane(const Sheet& sheet, const std::vector<int>& patches
 
 void load_membrane(const MembraneStage& stage, const SplitPoints& start, std::vector<LaneRow>& base) {
   base.resize(membrane_base_rows * stage.order.row_count());
-  parallel_for_each(stage.order.row_count(), 512, [&](std::size_t row) {
+  parallel_for_each(stage.order.row_count(), 128, [&](std::size_t row) {
     load_membrane_row<Lanes>(stage, start, row, {}, &base[membrane_base_rows * row]);
   });
 }

@@ -8,7 +8,7 @@ namespace drape {
 void split_points(const std::vector<Vec3>& points, std::size_t count, SplitPoints& split) {
   split.high.resize(count);
   split.low.resize(count);
-  parallel_for_each(points.size(), 4096, [&](std::size_t v) {
+  parallel_for_each(points.size(), 1024, [&](std::size_t v) {
     const Eigen::Vector3f high = points[v].cast<float>();
     const Eigen::Vector3f low = (points[v] - high.cast<double>()).cast<float>();
     split.high[v] = {high.x(), high.y(), high.z(), 0};
