@@ -179,7 +179,7 @@ static void add_still(Subcommands& commands, Options& options) {
 
 static void add_validate_and_info(Subcommands& commands, Options& options) {
   CLI::App& validate = commands.add(Command::validate, "validate", "Read everything and list every mistake",
-                                    "drape validate scenes/*.yaml");
+                                    "drape validate scenes/hello_drape.yaml scenes/flag.yaml");
   add_scenes(validate, options, "Scene files", true);
   add_scene_flags(validate, options);
   CLI::App& info = commands.add(Command::info, "info", "Sizes, steps, and an estimate of memory and time",

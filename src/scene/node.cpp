@@ -55,7 +55,7 @@ std::string describe(const Node& node) {
     case Node::Kind::map:
       return "a map";
     case Node::Kind::sequence:
-      return "a list";
+      return node.items.empty() ? "an empty list" : "a list";
     case Node::Kind::null:
       return "empty";
     case Node::Kind::scalar:

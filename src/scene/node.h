@@ -46,7 +46,8 @@ std::size_t count_nodes(const Node& node);
 std::size_t count_text(const Node& node);
 int depth_of(const Node& node);
 
-// For messages: a text in backticks, cut where it is long; and "a map", "a list", "empty" or the text so.
+// For messages: a text in backticks, cut where it is long; and "a map", "a list", "an empty list", "empty" or
+// the text so.
 std::string quote(std::string_view text);
 std::string describe(const Node& node);
 

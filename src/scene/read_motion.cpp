@@ -42,8 +42,8 @@ std::vector<Keyframe> read_keyframes(const Section& section, std::string_view na
   if (node == nullptr) return {};
   const std::string path = path_of(section, name);
   if (node->kind != Node::Kind::sequence || node->items.empty()) {
-    section.problems->add(node->place, fmt::format("{} must be a list of keyframes, not {}", path,
-                                                   node->items.empty() ? "empty" : describe(*node)));
+    section.problems->add(node->place,
+                          fmt::format("{} must be a list of keyframes, not {}", path, describe(*node)));
     return {};
   }
   std::vector<Keyframe> keyframes;

@@ -10,8 +10,9 @@ std::vector<int> read_vertices(const Section& section, int count) {
   const Node& node = *find_value(section, "vertices");
   const std::string path = path_of(section, "vertices");
   if (node.kind != Node::Kind::sequence || node.items.empty()) {
-    section.problems->add(node.place, fmt::format("{} must be a list of numbers of vertices, not {}", path,
-                                                  node.items.empty() ? "empty" : describe(node)));
+    section.problems->add(
+        node.place, fmt::format("{} must be a list of numbers of vertices, such as [0, 9], not {}", path,
+                                describe(node)));
     return {};
   }
   const NumberRule rule{Quantity::plain, 0, static_cast<double>(count) - 1, true};

@@ -55,6 +55,15 @@ TEST_F(Run, DrawsASingleFrameAsInTheWholeRun) {
   EXPECT_EQ(read_file(still), read_file(out("frames/frame_0002.png")));
 }
 
+TEST_F(Run, WritesNoPictureUnderTheNameOfAnotherFormat) {
+  const std::string still = out("still.jpg");
+  const Finished refused = run_drape({"still", out(""), "-f", "2", "-o", still});
+  EXPECT_EQ(refused.exit_status, 2);
+  EXPECT_NE(refused.err.find("a picture is a PNG file: let its name end in .png"), std::string::npos)
+      << refused.err;
+  EXPECT_FALSE(fs::exists(still));
+}
+
 TEST_F(Run, KeepsPicturesThatAreCurrentAndDrawsTheRest) {
   const fs::path second = out("frames/frame_0002.png");
   const std::string before = content_of_folder(out("frames"));
