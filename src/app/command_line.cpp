@@ -21,6 +21,7 @@ template <typename Choice>
 static void add_choice(CLI::App& command, const char* flag, Choice& value, const char* help,
                        const std::vector<std::pair<std::string, Choice>>& choices) {
   std::vector<std::string> words;
+  words.reserve(choices.size());
   for (const auto& choice : choices) words.push_back(choice.first);
   const auto choose = [&value, choices](const std::string& word) {
     for (const auto& choice : choices) {

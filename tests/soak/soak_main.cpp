@@ -1,4 +1,5 @@
 // Random scenes from seeds, every frame judged: soak FOLDER [COUNT [FIRST]]. The scenes go into the folder.
+// Exit status as of drape itself: 4 where a scene failed, 3 where the folder cannot be written.
 
 #include <fmt/format.h>
 
@@ -26,7 +27,7 @@ static int report(int certified, const std::vector<std::uint64_t>& failed, const
   fmt::print("{} scenes certified in every frame, {} failed\n", certified, failed.size());
   for (const std::uint64_t seed : failed)
     fmt::print("repeat it with: ./dev soak 1 {0}    its scene: {1}/soak_{0}.yaml\n", seed, folder);
-  return failed.empty() ? 0 : 1;
+  return failed.empty() ? 0 : 4;
 }
 
 // Goes on until `count` scenes have started.
@@ -59,6 +60,6 @@ int main(int count, char** arguments) {
                              count > 3 ? std::strtoull(arguments[3], nullptr, 10) : 1);
   } catch (const std::exception& error) {
     fmt::print(stderr, "soak: {}\n", error.what());
-    return 1;
+    return 3;
   }
 }
