@@ -28,8 +28,8 @@ class alignas(32) IndexRow {
     std::uint32_t low, high;
   };
   Pair pair(int i) const {
-    std::uint64_t both;
-    std::memcpy(&both, places_ + 2 * i, sizeof both);
+    std::uint64_t both = 0;
+    std::memcpy(&both, &places_[2 * i], sizeof both);
     return {static_cast<std::uint32_t>(both), static_cast<std::uint32_t>(both >> 32)};
   }
 

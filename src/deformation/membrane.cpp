@@ -28,7 +28,7 @@ Eigen::Matrix2d inverse_shape(const RestFrame& frame) {
 // J of the strains by the corners' positions in the matched frame, e = J x.
 Eigen::Matrix<double, 3, 6> strain_derivative(const Eigen::Matrix2d& inverse) {
   Eigen::Matrix<double, 3, 6> derivative;
-  for (int corner = 0; corner < 3; ++corner) {
+  for (Eigen::Index corner = 0; corner < 3; ++corner) {
     const Eigen::RowVector2d d = corner == 0   ? Eigen::RowVector2d(-inverse.row(0) - inverse.row(1))
                                  : corner == 1 ? Eigen::RowVector2d(inverse.row(0))
                                                : Eigen::RowVector2d(inverse.row(1));
