@@ -84,6 +84,16 @@ Run open_run(const std::string& input, const std::vector<std::string>& overrides
   return run;
 }
 
+void refuse_folder_of_other_scene(const Run& run) {
+  const auto on_disk = read_manifest(run.folder.manifest());
+  if (!on_disk || on_disk->scene == run.manifest.scene) return;
+  const fs::path other = (run.folder.root / on_disk->scene).lexically_normal();
+  throw InputError(
+      {{run.folder.root.string(), 0, 0,
+        fmt::format("holds the run of {}: name another folder with -o, or replace it with --overwrite",
+                    other.string())}});
+}
+
 void update_record(const Run& run) {
   const auto on_disk = read_manifest(run.folder.manifest());
   if (on_disk && on_disk->fingerprint == run.manifest.fingerprint)

@@ -34,6 +34,10 @@ std::vector<std::string> merge_overrides(const std::vector<std::string>& before,
 // run's folder, or out/NAME. Throws InputError and FileError.
 Run open_run(const std::string& input, const std::vector<std::string>& overrides, const std::string& output);
 
+// Throws InputError where the folder's record is of another scene file: its frames are not for this one to
+// replace.
+void refuse_folder_of_other_scene(const Run& run);
+
 // Writes the record of new pictures or a new film, where the one on disk is of the same simulation. Others
 // stay: a mistaken setting must not cost the frames that they know.
 void update_record(const Run& run);

@@ -226,6 +226,7 @@ void simulate(Run& run, const Options& options, const Console& console) {
   if (checkpoint && checkpoint->frame >= run.scene.time.last_frame) {
     note(console, "simulate  every frame is in the cache already");
   } else {
+    if (!checkpoint && !options.overwrite) refuse_folder_of_other_scene(run);
     run.manifest.certificate.reset();  // it was of other frames
     run.manifest.build = program_build();
     run.manifest.threads = options.threads;

@@ -35,6 +35,12 @@ std::vector<int> read_corner(const Section& pin, const ClothInput& input) {
                                             path_of(pin, "corner"), describe(at)));
     return std::vector<int>();
   };
+  const auto complain_of_flat = [&](const Node& at) {
+    pin.problems->add(
+        at.place, fmt::format("{} names {}, along which the shape is flat before it is placed: leave it out",
+                              path_of(pin, "corner"), describe(at)));
+    return std::vector<int>();
+  };
   if (node.kind != Node::Kind::sequence || node.items.empty() || node.items.size() > 3) return complain(node);
   const Bounds bounds = bounds_of(input.mesh.positions);
   Vec3 corner = (bounds.lowest + bounds.highest) / 2;
@@ -42,6 +48,7 @@ std::vector<int> read_corner(const Section& pin, const ClothInput& input) {
     const bool is_sign = item.text.size() == 2 && (item.text[0] == '-' || item.text[0] == '+');
     const int axis = is_sign ? item.text[1] - 'x' : -1;
     if (axis < 0 || axis > 2) return complain(item);
+    if (bounds.lowest[axis] == bounds.highest[axis]) return complain_of_flat(item);
     corner[axis] = item.text[0] == '-' ? bounds.lowest[axis] : bounds.highest[axis];
   }
   const auto& points = input.mesh.positions;

@@ -16,7 +16,8 @@ std::optional<fs::path> find_scene_file(const std::string& name, const std::stri
   std::error_code error;
   const fs::path path = relative_to / name;
   const fs::path folder = fs::weakly_canonical(scene_folder.empty() ? "." : scene_folder, error);
-  const fs::path resolved = fs::weakly_canonical(path, error);
+  // Of a relative path of which nothing exists, weakly_canonical makes no absolute one.
+  const fs::path resolved = fs::weakly_canonical(fs::absolute(path, error), error);
   if (error || fs::path(name).is_absolute() || !is_under(resolved, folder)) {
     problems.add(place,
                  fmt::format("{} must be a file under the scene's folder, not {}", key_path, quote(name)));

@@ -55,6 +55,20 @@ TEST_F(Run, DrawsASingleFrameAsInTheWholeRun) {
   EXPECT_EQ(read_file(still), read_file(out("frames/frame_0002.png")));
 }
 
+TEST_F(Run, ReplacesNoOtherScenesFrames) {
+  const fs::path copy = folder / "kept", other = folder / "other.yaml";
+  fs::copy(out(""), copy, fs::copy_options::recursive);
+  write_file(other, read_file(scene) + "# another\nsimulation: {gravity: [0, -1, 0]}\n");
+  const std::string before = content_of_folder(copy / "cache");
+  const Finished refused = run_drape({"run", other.string(), "-o", copy.string()});
+  EXPECT_EQ(refused.exit_status, 2);
+  EXPECT_NE(refused.err.find("kept: error: holds the run of "), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("name another folder with -o, or replace it with --overwrite"),
+            std::string::npos);
+  EXPECT_EQ(content_of_folder(copy / "cache"), before);
+  EXPECT_EQ(run_drape({"simulate", other.string(), "-o", copy.string(), "--overwrite"}).exit_status, 0);
+}
+
 TEST_F(Run, WritesNoPictureUnderTheNameOfAnotherFormat) {
   const std::string still = out("still.jpg");
   const Finished refused = run_drape({"still", out(""), "-f", "2", "-o", still});

@@ -64,4 +64,15 @@ TEST(Include, OfAMissingFileHasStatusThree) {
   EXPECT_EQ(failure.words, "scene.yaml:1:11: error: include: no file `none.yaml`");
 }
 
+TEST(Include, IsMissingAndNotOutsideWhereItsFolderIsMissingToo) {
+  const TemporaryFolder folder;
+  folder.write("scene.yaml", "include: [materials/silk.yaml]\n" + smallest_scene);
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  const Failure failure = failure_of("scene.yaml", folder.path());
+  std::filesystem::current_path(before);
+  EXPECT_EQ(failure.exit_status, 3);
+  EXPECT_NE(failure.words.find("include: no file `materials/silk.yaml`"), std::string::npos) << failure.words;
+}
+
 }  // namespace drape
