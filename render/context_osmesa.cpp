@@ -19,7 +19,7 @@ static constexpr int most_threads = 16;
 
 struct Context::Handle {
   OSMesaContext context = nullptr;
-  std::array<unsigned char, 4 * unused_size * unused_size> unused{};
+  std::array<unsigned char, std::size_t{4} * unused_size * unused_size> unused{};
 };
 
 static OSMesaContext create_core_context() {

@@ -7,6 +7,7 @@
 #include <immintrin.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -29,7 +30,7 @@ class alignas(32) IndexRow {
   };
   Pair pair(int i) const {
     std::uint64_t both = 0;
-    std::memcpy(&both, &places_[2 * i], sizeof both);
+    std::memcpy(&both, places_ + static_cast<std::ptrdiff_t>(2) * i, sizeof both);
     return {static_cast<std::uint32_t>(both), static_cast<std::uint32_t>(both >> 32)};
   }
 
