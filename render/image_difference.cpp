@@ -1,8 +1,8 @@
 #include "render/image_difference.h"
 
 #include <algorithm>
-#include <cmath>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -44,7 +44,9 @@ ImageDifference compare_images(const Image& a, const Image& b, int tolerance) {
 
 // Black, blue, red, yellow at 0, 1/3, 2/3, 1 and straight lines between them.
 static std::array<std::uint8_t, 3> heat(double share) {
-  const auto ramp = [](double x) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(x, 0.0, 1.0))); };
+  const auto ramp = [](double x) {
+    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(x, 0.0, 1.0)));
+  };
   const double third = 3 * std::clamp(share, 0.0, 1.0);
   return {ramp(third - 1), ramp(third - 2), ramp(std::min(third, 2 - third))};
 }
