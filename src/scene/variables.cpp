@@ -38,7 +38,7 @@ class Substitution {
   void replace_within(Node& node) {
     std::string result;
     std::string_view rest = node.text;
-    for (std::size_t begin; (begin = rest.find("${")) != std::string_view::npos;) {
+    for (std::size_t begin = 0; (begin = rest.find("${")) != std::string_view::npos;) {
       const std::size_t end = rest.find('}', begin);
       if (end == std::string_view::npos)
         return problems_.add(node.place, fmt::format("`${{` without `}}` in {}", describe(node)));

@@ -116,7 +116,7 @@ ContactStepResult advance_step(const World& world, double time, State& state, Sc
     std::copy(scratch.free_positions.begin(), scratch.free_positions.end(), scratch.end.begin());
   });
   check_finite(scratch.end);
-  const ContactStepResult contact =
+  ContactStepResult contact =
       step_contacts(world.geometry, world.contact_settings, scratch.bodies, scratch.start, scratch.contact,
                     state.remembered_contacts, profile, scratch.end);
   check_finite(scratch.end);
