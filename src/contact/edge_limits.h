@@ -24,7 +24,7 @@ struct EdgeLimits {
 EdgeLimits make_edge_limits(std::vector<EdgeLimits::Edge> edges, std::vector<std::size_t> color_begin,
                             int vertices);
 
-// For each edge, whether it may be out of its limits: most of a cloth is within them.
+// For each edge, 1 where it may be out of its limits, otherwise 0: most of a cloth is within them.
 using EdgesInDoubt = std::vector<unsigned char>;
 
 // Those that are out of them.
