@@ -27,7 +27,8 @@ class ThreadLimit {
 };
 
 // Calls body(begin, end, block) for each block of `block_size` indices of [0, count). Blocks must not write
-// to the same memory.
+// to the same memory. A block should be some ten microseconds of work, and a loop of some thousand points
+// should have eight or more: with two or three, threads mostly wait for each other.
 template <typename Body>
 void parallel_blocks(std::size_t count, std::size_t block_size, const Body& body) {
   const std::size_t blocks = (count + block_size - 1) / block_size;
