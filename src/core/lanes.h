@@ -1,8 +1,8 @@
 #pragma once
 
-// The only file with vector instructions: eight floats side by side. Every operation is exact to the last bit
-// as IEEE 754 has it (no estimates, no contraction), so eight lanes give the same bits as eight floats one by
-// one.
+// Eight floats side by side. Vector instructions are in this file and in double_lanes.h only. Every operation
+// is exact to the last bit as IEEE 754 has it (no estimates, no contraction), so eight lanes give the same
+// bits as eight floats one by one.
 
 #include <immintrin.h>
 

@@ -12,7 +12,6 @@ namespace drape {
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Vec4 = Eigen::Vector4d;
-using Array4 = Eigen::Array4d;  // four numbers side by side
 using Mat3 = Eigen::Matrix3d;
 using Mat4 = Eigen::Matrix4d;
 using Quaternion = Eigen::Quaterniond;

@@ -1,6 +1,7 @@
 #include "simulation/forces.h"
 
 #include <algorithm>
+#include <array>
 
 #include "core/parallel.h"
 #include "simulation/plate_in_air.h"
@@ -17,43 +18,41 @@ Vec3 doubled_area(const Triangle& triangle, const std::vector<Vec3>& x) {
   return (x[b] - x[a]).cross(x[c] - x[a]);
 }
 
-// What the air sees of four triangles.
-struct Plates {
-  LaneVec3<Array4> stream;  // m/s: of the air, relative to them
-  LaneVec3<Array4> area;    // m2: along the normals
-  Array4 mass;              // kg
-};
-
-void set_lane(LaneVec3<Array4>& vectors, int lane, const Vec3& value) {
-  vectors.x[lane] = value.x();
-  vectors.y[lane] = value.y();
-  vectors.z[lane] = value.z();
+// Vertices of four triangles, corner by corner.
+std::array<FourIndices, 3> corners_of(const std::vector<Triangle>& triangles, const FourIndices& four) {
+  std::array<FourIndices, 3> corners{};
+  for (std::size_t lane = 0; lane < four.size(); ++lane)
+    for (std::size_t k = 0; k < corners.size(); ++k) corners[k][lane] = triangles[four[lane]][k];
+  return corners;
 }
 
-void set_plate(const World& world, int t, double time, const std::vector<Vec3>& x,
-               const std::vector<Vec3>& velocities, int lane, Plates& plates) {
-  const Triangle& triangle = world.sheet.triangles[t];
-  const auto& [a, b, c] = triangle;
-  const Vec3 air = wind_at(world.input.wind, (x[a] + x[b] + x[c]) / 3, time);
-  set_lane(plates.stream, lane, air - (velocities[a] + velocities[b] + velocities[c]) / 3);
-  set_lane(plates.area, lane, 0.5 * doubled_area(triangle, x));
-  plates.mass[lane] = world.triangle_masses[t];
+LaneVectors third(const LaneVectors& sum) { return {sum.x / 3, sum.y / 3, sum.z / 3}; }
+
+LaneVectors wind_at(const WindInput& wind, const LaneVectors& places, double time) {
+  if (is_steady(wind)) return {wind.velocity.x(), wind.velocity.y(), wind.velocity.z()};
+  std::array<Vec3, DoubleLanes::count> each = each_lane(places);
+  for (Vec3& vector : each) vector = wind_at(wind, vector, time);
+  return load_lanes(each.data(), in_order);
 }
 
 // On the triangles from `first` on, up to four; lanes beyond the last triangle repeat it.
 void air_on_triangles(const World& world, std::size_t first, double time, const std::vector<Vec3>& x,
                       const std::vector<Vec3>& velocities, std::vector<Vec3>& forces) {
-  Plates plates;
-  const std::size_t count = std::min<std::size_t>(4, forces.size() - first);
-  for (std::size_t lane = 0; lane < 4; ++lane)
-    set_plate(world, static_cast<int>(first + std::min(lane, count - 1)), time, x, velocities,
-              static_cast<int>(lane), plates);
-  const LaneVec3<Array4> force = lasting_force(force_of_air(world.input.wind, plates.stream, plates.area),
-                                               plates.stream, plates.mass, world.steps_per_air * world.step);
-  for (std::size_t lane = 0; lane < count; ++lane) {
-    const int i = static_cast<int>(lane);
-    forces[first + lane] = {force.x[i], force.y[i], force.z[i]};
-  }
+  const std::size_t count = std::min<std::size_t>(DoubleLanes::count, forces.size() - first);
+  FourIndices four{};
+  for (std::size_t lane = 0; lane < four.size(); ++lane)
+    four[lane] = static_cast<int>(first + std::min(lane, count - 1));
+  const auto [ia, ib, ic] = corners_of(world.sheet.triangles, four);
+  const LaneVectors a = load_lanes(x.data(), ia), b = load_lanes(x.data(), ib), c = load_lanes(x.data(), ic);
+  const LaneVectors velocity = third(load_lanes(velocities.data(), ia) + load_lanes(velocities.data(), ib) +
+                                     load_lanes(velocities.data(), ic));
+  const LaneVectors stream = wind_at(world.input.wind, third(a + b + c), time) - velocity;
+  const LaneVectors area = DoubleLanes(0.5) * cross_product(b - a, c - a);
+  const LaneVectors force =
+      lasting_force(force_of_air(world.input.wind, stream, area), stream,
+                    load_lanes(world.triangle_masses.data(), four), world.steps_per_air * world.step);
+  const std::array<Vec3, DoubleLanes::count> each = each_lane(force);
+  std::copy_n(each.begin(), count, forces.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
 bool has_air(const WindInput& wind) { return wind.drag > 0 || wind.tangential_drag > 0; }
@@ -73,9 +72,11 @@ void feel_air(const World& world, double time, const std::vector<Vec3>& position
               const std::vector<Vec3>& velocities, std::vector<Vec3>& air_forces) {
   if (!has_air(world.input.wind)) return;
   air_forces.resize(world.sheet.triangles.size());
-  parallel_for_each((air_forces.size() + 3) / 4, block / 4, [&](std::size_t i) {
-    air_on_triangles(world, 4 * i, time, positions, velocities, air_forces);
-  });
+  parallel_for_each((air_forces.size() + DoubleLanes::count - 1) / DoubleLanes::count,
+                    block / DoubleLanes::count, [&](std::size_t i) {
+                      air_on_triangles(world, DoubleLanes::count * i, time, positions, velocities,
+                                       air_forces);
+                    });
 }
 
 void external_accelerations(const World& world, const std::vector<Vec3>& air_forces,

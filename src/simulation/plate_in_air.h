@@ -1,28 +1,22 @@
 #pragma once
 
-// A Number is a double, or an Array4 of four plates side by side: the same bits either way.
+// A Number is a double, or the DoubleLanes of four plates side by side: the same bits either way.
 
-#include <cmath>
-
-#include "core/lanes.h"
-#include "core/vector.h"
+#include "core/double_lanes.h"
 #include "simulation/input.h"
 
 namespace drape {
 
-inline double square_root(double a) { return std::sqrt(a); }
-inline Array4 square_root(const Array4& a) { return a.sqrt(); }
-
-// test > 0 ? yes : no
-inline double where_positive(double test, double yes, double no) { return test > 0 ? yes : no; }
-inline Array4 where_positive(const Array4& test, const Array4& yes, double no) {
-  return (test > 0).select(yes, no);
-}
-
-// Without the fused multiply-add of lanes.h's dot.
+// Each product is rounded: no fused multiply-adds, unlike in the dot and cross of lanes.h, since the double
+// of the slow twin has none.
 template <typename Number>
 Number inner_product(const LaneVec3<Number>& a, const LaneVec3<Number>& b) {
   return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+
+template <typename Number>
+LaneVec3<Number> cross_product(const LaneVec3<Number>& a, const LaneVec3<Number>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 // The force (N) of air that streams past a flat plate with the velocity u (m/s), at the angle a to its plane:

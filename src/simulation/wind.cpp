@@ -55,15 +55,19 @@ Vec3 noise(std::uint64_t seed, const Vec3& place) {
 
 }  // namespace
 
+// m/s: by how much gusts depart from the mean along each axis.
+static double gust_speed(const WindInput& wind) { return wind.gust * wind.velocity.norm(); }
+
+bool is_steady(const WindInput& wind) { return !(gust_speed(wind) > 0); }
+
 Vec3 wind_at(const WindInput& wind, const Vec3& place, double time) {
-  const double strength = wind.gust * wind.velocity.norm();
-  if (!(strength > 0)) return wind.velocity;
+  if (is_steady(wind)) return wind.velocity;
   const Vec3 carried = (place - time * wind.velocity) / wind.gust_size;
   const std::uint64_t seed = mix(static_cast<std::uint64_t>(wind.seed));
   // Whirls of three sizes hold less speed the smaller they are; the three shares add up to one.
   const Vec3 pattern = 4.0 / 7 * noise(seed, carried) + 2.0 / 7 * noise(seed + 1, 2 * carried) +
                        1.0 / 7 * noise(seed + 2, 4 * carried);
-  return wind.velocity + strength * pattern;
+  return wind.velocity + gust_speed(wind) * pattern;
 }
 
 }  // namespace drape

@@ -11,4 +11,7 @@ namespace drape {
 // every machine; smooth in time and place.
 Vec3 wind_at(const WindInput& wind, const Vec3& place, double time);
 
+// Whether the wind is the same at all places and times.
+bool is_steady(const WindInput& wind);
+
 }  // namespace drape

@@ -18,16 +18,17 @@ struct Step {
   std::vector<Vec3> x0, v0, a, x1, v1;
 };
 
-// A step of 40 points of which the piece has the first 30, and which has lost momentum.
-Step random_step(unsigned seed) {
+// A step of ten points more than the piece has, which are its first, and which has lost momentum.
+Step random_step(unsigned seed, int points_of_piece = 30) {
   Random random(seed);
   Step step;
-  step.piece.vertices.resize(30);
+  const auto points = static_cast<std::size_t>(points_of_piece) + 10;
+  step.piece.vertices.resize(points - 10);
   std::iota(step.piece.vertices.begin(), step.piece.vertices.end(), 0);
-  step.masses = test::random_masses(40, random);
-  for (int i = 0; i < 40; ++i) step.x0.push_back(Vec3(2, -1, 3) + random.vector());
-  step.v0 = test::shaken(test::zeros(40), 2, random);
-  step.a = test::shaken(std::vector<Vec3>(40, Vec3(0, -9.81, 0)), 5, random);
+  step.masses = test::random_masses(points, random);
+  for (std::size_t i = 0; i < points; ++i) step.x0.push_back(Vec3(2, -1, 3) + random.vector());
+  step.v0 = test::shaken(test::zeros(points), 2, random);
+  step.a = test::shaken(std::vector<Vec3>(points, Vec3(0, -9.81, 0)), 5, random);
   step.x1 = test::shaken(step.x0, 0.1, random);
   step.v1 = test::shaken(step.v0, 1, random);
   return step;
@@ -76,6 +77,16 @@ TEST(Momentum, BothMomentaAreRestoredWithWhatAccelerationsAdd) {
     ASSERT_GT((angular(step, step.x1, step.v1) - wanted_angular(step)).norm(), 1e-2);
     EXPECT_LT((linear(step, v) - wanted_linear(step)).norm(), 1e-12);
     EXPECT_LT((angular(step, step.x1, v) - wanted_angular(step)).norm(), 1e-10);
+  }
+}
+
+// Sums are taken four points and 512 at a time.
+TEST(Momentum, PiecesOfAnySizeGetTheirMomentaBack) {
+  for (const int points : {3, 4, 511, 512, 513, 1027}) {
+    const Step step = random_step(9, points);
+    const std::vector<Vec3> v = restored(step).v;
+    EXPECT_LT((linear(step, v) - wanted_linear(step)).norm(), 1e-13 * points) << points;
+    EXPECT_LT((angular(step, step.x1, v) - wanted_angular(step)).norm(), 1e-11 * points) << points;
   }
 }
 

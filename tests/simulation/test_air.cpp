@@ -107,11 +107,12 @@ TEST(Air, NeverAddsRelativeMotion) {
 
 LaneVec3<double> as_lane(const Vec3& x) { return {x.x(), x.y(), x.z()}; }
 
-// Of one triangle by itself.
+// Of one triangle by itself, at the start.
 Vec3 slow_force(const World& world, std::size_t t, const State& state) {
   const auto& [a, b, c] = world.sheet.triangles[t];
   const std::vector<Vec3>&x = state.positions, &v = state.velocities;
-  const LaneVec3<double> stream = as_lane(world.input.wind.velocity - (v[a] + v[b] + v[c]) / 3);
+  const Vec3 wind = wind_at(world.input.wind, (x[a] + x[b] + x[c]) / 3, 0);
+  const LaneVec3<double> stream = as_lane(wind - (v[a] + v[b] + v[c]) / 3);
   const LaneVec3<double> area = as_lane(0.5 * (x[b] - x[a]).cross(x[c] - x[a]));
   const LaneVec3<double> force = lasting_force(force_of_air(world.input.wind, stream, area), stream,
                                                world.triangle_masses[t], world.steps_per_air * world.step);
@@ -137,6 +138,19 @@ TEST(Air, FourTrianglesAtATimeGiveTheBitsOfEachByItself) {
   EXPECT_EQ(forces[0], Vec3(Vec3::Zero()));
   EXPECT_EQ(forces[1], Vec3(Vec3::Zero()));
   EXPECT_NE(forces[2], Vec3(Vec3::Zero()));
+}
+
+TEST(Air, FourTrianglesAtATimeFeelTheGustsOfEach) {
+  SimulationInput input = simulate_alone(sheet(0.2, 3, 0));
+  input.wind.velocity = Vec3(3, -5, 8);
+  input.wind.gust = 0.5;
+  input.wind.gust_size = 0.3;
+  const World world = build_world(input);
+  const State state = initial_state(world);
+  std::vector<Vec3> forces;
+  feel_air(world, 0, state.positions, state.velocities, forces);
+  for (std::size_t t = 0; t < forces.size(); ++t) EXPECT_EQ(forces[t], slow_force(world, t, state)) << t;
+  EXPECT_GT((forces[0] - forces[2]).norm(), 0.01 * forces[0].norm());
 }
 
 TEST(Air, LeavesPinnedPointsAndAVacuumAlone) {

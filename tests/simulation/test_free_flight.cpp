@@ -43,8 +43,9 @@ TEST(FreeFlight, TheCentreOfMassFallsToRounding) {
   EXPECT_NEAR(centre, -9.81 * h * h * steps * (steps + 1) / 2, 1e-12);
 }
 
-Simulation tumbling_sheet(int points = 16, double step = 0.002) {
+Simulation tumbling_sheet(int points = 16, double step = 0.002, double strain_limit = 0) {
   SimulationInput input = simulate_alone(sheet(1, points, 0));
+  input.cloths[0].material.elastic.strain_limit = strain_limit;
   input.frame_duration = input.largest_step = step;
   input.self_collision = false;  // friction acts across the thickness, and so turns
   remove_air(input);
@@ -66,8 +67,10 @@ TEST(FreeFlight, KeepsLinearMomentumForTenSeconds) {
   EXPECT_LT((linear_momentum(simulation) - before).norm(), 1e-9 * before.norm());
 }
 
+// But for what limits on strain do: they move points while these go on, and the sheet turns a little.
 TEST(FreeFlight, KeepsAngularMomentumForTenSeconds) {
-  Simulation simulation = tumbling_sheet();
+  constexpr double out_of_reach = 0.5;
+  Simulation simulation = tumbling_sheet(16, 0.002, out_of_reach);
   const Vec3 before = angular_momentum(simulation);
   advance(simulation, 5000);
   EXPECT_LT((angular_momentum(simulation) - before).norm(), 1e-9 * before.norm());
