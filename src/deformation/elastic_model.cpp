@@ -105,9 +105,9 @@ ElasticModel build_elastic_model(const Sheet& sheet, const std::vector<double>& 
   model.tethers = build_tethers(sheet, masses, pinned, gravity);
   for (const double inverse_mass : inverse_masses)
     model.inverse_masses.push_back({0, 0, 0, static_cast<float>(inverse_mass)});
-  const int patch_count = *std::max_element(patches.begin(), patches.end()) + 1;
-  model.inverse_masses.resize(masses.size() + fillers_a_patch * static_cast<std::size_t>(patch_count),
-                              Point4{});
+  const std::size_t patch_count =
+      std::max(model.bending.order.patch_count(), model.membrane.order.patch_count());
+  model.inverse_masses.resize(masses.size() + fillers_a_patch * patch_count, Point4{});
   return model;
 }
 

@@ -9,14 +9,18 @@
 namespace drape {
 namespace {
 
-int longest_axis(const std::vector<Vec3>& positions, std::span<const int> vertices) {
+// The longest; of those that are as long, the last: the rows of a grid are numbered along the first, and
+// halves of rows would share their cache lines.
+int axis_to_cut_across(const std::vector<Vec3>& positions, std::span<const int> vertices) {
+  constexpr double as_long = 0.999;
   Vec3 lowest = positions[vertices[0]], highest = lowest;
   for (const int v : vertices) {
     lowest = lowest.cwiseMin(positions[v]);
     highest = highest.cwiseMax(positions[v]);
   }
-  int axis = 0;
-  (highest - lowest).maxCoeff(&axis);
+  const Vec3 extent = highest - lowest;
+  int axis = 2;
+  while (extent[axis] < as_long * extent.maxCoeff()) --axis;
   return axis;
 }
 
@@ -27,7 +31,7 @@ void halve(const std::vector<Vec3>& positions, std::size_t largest_patch, std::s
     ++patch_count;
     return;
   }
-  const int axis = longest_axis(positions, vertices);
+  const int axis = axis_to_cut_across(positions, vertices);
   const std::size_t half = vertices.size() / 2;
   std::nth_element(
       vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(half), vertices.end(),
@@ -38,15 +42,21 @@ void halve(const std::vector<Vec3>& positions, std::size_t largest_patch, std::s
 
 using ElementLists = std::vector<std::vector<int>>;
 
-// The elements of each patch that has any.
+// The elements of each patch that has any: first those that lie within it, then lists of those that reach
+// beyond, at the first of their patches. Colours are given in this order: the former share no vertex, and are
+// the first colour.
 ElementLists elements_of_patches(const std::vector<int>& patches, const std::vector<std::size_t>& begin,
                                  const std::vector<int>& vertices) {
-  ElementLists lists(
-      patches.empty() ? 0 : static_cast<std::size_t>(*std::max_element(patches.begin(), patches.end())) + 1);
+  const std::size_t count =
+      patches.empty() ? 0 : static_cast<std::size_t>(*std::max_element(patches.begin(), patches.end())) + 1;
+  ElementLists lists(2 * count);
   for (std::size_t e = 0; e + 1 < begin.size(); ++e) {
-    int patch = patches[vertices[begin[e]]];
-    for (std::size_t i = begin[e]; i < begin[e + 1]; ++i) patch = std::min(patch, patches[vertices[i]]);
-    lists[patch].push_back(static_cast<int>(e));
+    int first = patches[vertices[begin[e]]], last = first;
+    for (std::size_t i = begin[e]; i < begin[e + 1]; ++i) {
+      first = std::min(first, patches[vertices[i]]);
+      last = std::max(last, patches[vertices[i]]);
+    }
+    lists[first == last ? first : count + first].push_back(static_cast<int>(e));
   }
   std::erase_if(lists, [](const std::vector<int>& list) { return list.empty(); });
   return lists;

@@ -36,7 +36,9 @@ struct RowRange {
 // holds more than `largest_patch`.
 std::vector<int> vertex_patches(const std::vector<Vec3>& positions, std::size_t largest_patch);
 
-// The vertices of element e are vertices[begin[e] .. begin[e + 1]); it goes to the first patch among theirs.
+// The vertices of element e are vertices[begin[e] .. begin[e + 1]). Elements that lie within a patch of
+// vertices are one patch of the order; those that reach beyond go to one of their own, by the first patch
+// among theirs: so all of the former, which is most, have one colour.
 SweepOrder sweep_order(const std::vector<int>& patches, const std::vector<std::size_t>& begin,
                        const std::vector<int>& vertices);
 

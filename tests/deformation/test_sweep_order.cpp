@@ -86,6 +86,12 @@ TEST(VertexPatches, AreCompact) {
       }
 }
 
+// Threads that sweep the halves of a grid so do not share its rows' cache lines.
+TEST(VertexPatches, ASquareGridIsHalvedBetweenRows) {
+  const std::vector<int> patches = vertex_patches(make_grid({1, 1}, {32, 32}).positions, 512);
+  for (int v = 0; v < 1024; ++v) EXPECT_EQ(patches[v], v / 512);
+}
+
 TEST(VertexPatches, PointsThatCoincideAreCutAsWell) {
   const std::vector<int> patches = vertex_patches(test::zeros(10), 4);
   EXPECT_EQ(std::set<int>(patches.begin(), patches.end()).size(), 4u);
@@ -150,6 +156,20 @@ TEST(SweepOrder, AnElementGoesToTheFirstPatchAmongItsVertices) {
     for (std::size_t i = Lanes::count * rows.first; i < Lanes::count * rows.end; ++i)
       if (order.elements[i] >= 0) found.insert(first_patch(order.elements[i]));
     EXPECT_EQ(found.size(), 1u);
+  }
+}
+
+// Eight patches, which threads take at once; the rest is little.
+TEST(SweepOrder, WhatLiesWithinPatchesIsTheFirstColor) {
+  const Case c = triangles_of(make_grid({1, 1}, {78, 78}), 1300);
+  const SweepOrder order = sweep_order(c.patches, c.elements);
+  EXPECT_EQ(order.color_begin[1], 8u);
+  const RowRange rows{0, order.tile_begin[order.patch_begin[8]]};
+  EXPECT_GT(static_cast<double>(rows.end), 0.9 * static_cast<double>(order.row_count()));
+  for (std::size_t patch = 0; patch < 8; ++patch) {
+    std::set<int> patches;
+    for (const int v : vertices_of_patch(c, order, patch)) patches.insert(c.patches[v]);
+    EXPECT_EQ(patches.size(), 1u);
   }
 }
 
