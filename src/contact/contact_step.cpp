@@ -50,9 +50,10 @@ void keep_to_limits(const Step& step, const Response& response) {
   EdgesInDoubt in_doubt = find_edges_out_of_limits(limits, step.end);
   for (int round = 0; round < most_rounds; ++round) {
     pull_within_limits(limits, step.phase.geometry.inverse_masses, in_doubt, step.end);
-    const std::vector<int> moved = keep_firm_contacts(response, step.end);
-    if (moved.empty() || limits.edges.empty()) return;
-    for (const int v : moved) doubt_edges_at(limits, v, in_doubt);
+    const std::vector<char> moved = keep_firm_contacts(response, step.end);
+    if (limits.edges.empty() || std::find(moved.begin(), moved.end(), 1) == moved.end()) return;
+    for (std::size_t v = 0; v < moved.size(); ++v)
+      if (moved[v]) doubt_edges_at(limits, static_cast<int>(v), in_doubt);
   }
 }
 

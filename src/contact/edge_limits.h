@@ -35,9 +35,10 @@ void doubt_edges_at(const EdgeLimits& limits, int vertex, EdgesInDoubt& in_doubt
 
 // Contact moves points and not cloth: one that is pushed aside alone leaves its edges too long on one side
 // and too short on the other; and what one elastic sweep leaves undone stretches edges where cloth whips.
-// Here the cloth around takes its share, in up to five Gauss-Seidel sweeps that keep both momenta (after
-// Provot 1995, Deformation Constraints in a Mass-Spring Model). Vertices of inverse mass 0 stay. Looks
-// at the edges in doubt; those that five sweeps leave stay in doubt.
+// Here the cloth around takes its share, in up to five Gauss-Seidel sweeps (after Provot 1995, Deformation
+// Constraints in a Mass-Spring Model). They keep linear momentum, and angular momentum but for what points
+// are moved, which is of second order. Vertices of inverse mass 0 stay. Looks at the edges in doubt; those
+// that five sweeps leave stay in doubt.
 void pull_within_limits(const EdgeLimits& limits, const std::vector<double>& inverse_masses,
                         EdgesInDoubt& in_doubt, std::vector<Vec3>& x);
 

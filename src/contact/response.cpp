@@ -1,6 +1,7 @@
 #include "contact/response.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "core/parallel.h"
@@ -137,47 +138,66 @@ bool push(Pull& pull, std::vector<Vec4>& x) {
   return true;
 }
 
-// Returns how far it moved the sides, in tolerances; appends the vertices that it moved.
-double keep_firm(const Pull& pull, std::vector<Vec3>& x, std::vector<int>& moved) {
+// Returns how far it moved the sides, in tolerances; notes the vertices that it moved.
+double keep_firm(const Pull& pull, std::vector<Vec3>& x, std::vector<char>& moved) {
   const Vec3 normal = pull.normal.head<3>();
   const double target = pull.target + pull.push_impulse * pull.mobility;
   const double lack = target - normal.dot(weighted_sum(pull, x));
   if (!(pull.mobility > 0) || lack <= 0) return 0;
   apply_impulse(pull, (lack * pull.effective_mass * normal).eval(), x);
   for (int i = 0; i < 4; ++i)
-    if (pull.responses[i] != 0) moved.push_back(pull.vertices[i]);
+    if (pull.responses[i] != 0) moved[pull.vertices[i]] = 1;
   return lack / pull.tolerance;
 }
 
-// A visit for each contact of a range in the sweep of this number. Returns whether one of them asks for
-// another sweep.
-template <typename Visit>
-bool sweep_range(const Visit& visit, int sweep, std::size_t begin, std::size_t end, auto& pulls) {
-  bool again = false;
-  for (std::size_t i = begin; i < end; ++i) again |= visit(pulls[i], sweep);
-  return again;
+// Calls visit_part(p) for the parts of a round, of which p has the items [begin[p] .. begin[p + 1]) to visit:
+// at once, unless they are so few that threads would only wait for each other. The bits are the same.
+template <typename VisitPart>
+void visit_round(std::size_t first, std::size_t last, const std::vector<std::size_t>& begin,
+                 const VisitPart& visit_part) {
+  constexpr std::size_t few = 512;
+  const std::size_t parts = last - first, parts_a_block = begin[last] - begin[first] < few ? parts : 1;
+  parallel_for_each(parts, parts_a_block, [&](std::size_t i) { visit_part(first + i); });
 }
 
-// Its parts at once, then what joins them.
+// Up to `most` sweeps over each group, the first is number 1, until no item asks for another. Of part p the
+// items are [begin[p] .. begin[p + 1]), and visit(item, sweep) returns whether it asks.
 template <typename Visit>
-bool sweep_group(const Visit& visit, int sweep, const CollisionGroup& group, auto& pulls) {
-  const std::vector<std::size_t>& begin = group.part_begin;
-  std::vector<char> again(begin.size(), false);
-  if (!begin.empty())
-    parallel_for_each(begin.size() - 1, 1, [&](std::size_t p) {
-      again[p] = sweep_range(visit, sweep, begin[p], begin[p + 1], pulls);
-    });
-  const bool joint_again = sweep_range(visit, sweep, group.joints_begin, group.end, pulls);
-  return joint_again || std::find(again.begin(), again.end(), true) != again.end();
-}
-
-// Up to `most` sweeps over each group, the first is number 1, until none of its contacts asks for another.
-template <typename Visit>
-void sweep_groups(int most, const Visit& visit, auto& response) {
-  parallel_for_each(response.groups.groups.size(), 1, [&](std::size_t g) {
-    for (int sweep = 1; sweep <= most; ++sweep)
-      if (!sweep_group(visit, sweep, response.groups.groups[g], response.pulls)) return;
+void sweep_groups(int most, const CollisionGroups& groups, const std::vector<std::size_t>& begin,
+                  const Visit& visit) {
+  constexpr std::size_t groups_a_block = 16;  // most are small
+  parallel_for_each(groups.group_count(), groups_a_block, [&](std::size_t g) {
+    std::atomic<bool> again = true;
+    const auto visit_part = [&](std::size_t part, int sweep) {
+      bool asked = false;
+      for (std::size_t i = begin[part]; i < begin[part + 1]; ++i) asked |= visit(i, sweep);
+      if (asked) again.store(true, std::memory_order_relaxed);
+    };
+    for (int sweep = 1; sweep <= most && again; ++sweep) {
+      again = false;
+      for (std::size_t round = groups.group_begin[g]; round < groups.group_begin[g + 1]; ++round)
+        visit_round(groups.round_begin[round], groups.round_begin[round + 1], begin,
+                    [&](std::size_t part) { visit_part(part, sweep); });
+    }
   });
+}
+
+// The same for all contacts: visit(pull, sweep).
+template <typename Visit>
+void sweep_contacts(int most, const Visit& visit, auto& response) {
+  sweep_groups(most, response.groups, response.groups.part_begin,
+               [&](std::size_t i, int sweep) { return visit(response.pulls[i], sweep); });
+}
+
+// `firm` is in order; see Response.
+std::vector<std::size_t> begin_of_parts(const CollisionGroups& groups, const std::vector<std::size_t>& firm) {
+  std::vector<std::size_t> begin(groups.part_begin.size());
+  auto at = firm.begin();
+  for (std::size_t p = 0; p < begin.size(); ++p) {
+    while (at != firm.end() && *at < groups.part_begin[p]) ++at;
+    begin[p] = static_cast<std::size_t>(at - firm.begin());
+  }
+  return begin;
 }
 
 }  // namespace
@@ -186,7 +206,7 @@ Response begin_response(const ContactGeometry& geometry, const std::vector<Conta
                         const std::vector<ContactMemory>& memories, double farthest,
                         const std::vector<Vec3>& start) {
   const ContactMemory nothing{0, Vec3::Zero(), 0};
-  Response response{group_contacts(geometry, start, contacts), std::vector<Pull>(contacts.size()), {}};
+  Response response{group_contacts(geometry, start, contacts), std::vector<Pull>(contacts.size()), {}, {}};
   parallel_collect(contacts.size(), 128, response.firm,
                    [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& firm) {
                      for (std::size_t i = begin; i < end; ++i) {
@@ -197,6 +217,7 @@ Response begin_response(const ContactGeometry& geometry, const std::vector<Conta
                        if (contact.is_firm) firm.push_back(i);
                      }
                    });
+  response.firm_begin = begin_of_parts(response.groups, response.firm);
   return response;
 }
 
@@ -206,7 +227,7 @@ void hold_again(const Response& response, std::vector<Vec3>& x) {
       apply_impulse(pull, Vec3(pull.impulse * pull.normal.head<3>() + pull.friction_impulse.head<3>()), x);
     return false;
   };
-  sweep_groups(1, visit, response);
+  sweep_contacts(1, visit, response);
 }
 
 void resolve_contacts(Response& response, std::vector<Vec3>& x) {
@@ -220,7 +241,7 @@ void resolve_contacts(Response& response, std::vector<Vec3>& x) {
     if (moved > counts * counts) note_move(pull, sweep, last_moves);
     return moved > 1;
   };
-  sweep_groups(most_sweeps, visit, response);
+  sweep_contacts(most_sweeps, visit, response);
   unpad(places, x);
 }
 
@@ -228,20 +249,17 @@ void push_apart(Response& response, std::vector<Vec3>& x) {
   constexpr int most_pushes = 2;
   if (response.pulls.empty()) return;
   std::vector<Vec4> places = all_padded(x);
-  sweep_groups(
+  sweep_contacts(
       most_pushes, [&](Pull& pull, int) { return push(pull, places); }, response);
   unpad(places, x);
 }
 
-std::vector<int> keep_firm_contacts(const Response& response, std::vector<Vec3>& x) {
+std::vector<char> keep_firm_contacts(const Response& response, std::vector<Vec3>& x) {
   constexpr double left = 0.1;  // of the tolerance: firm sides may lack no more
-  std::vector<int> moved;
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    double farthest = 0;
-    for (const std::size_t i : response.firm)
-      farthest = std::max(farthest, keep_firm(response.pulls[i], x, moved));
-    if (farthest <= left) break;
-  }
+  std::vector<char> moved(x.size(), 0);
+  sweep_groups(most_sweeps, response.groups, response.firm_begin, [&](std::size_t i, int) {
+    return keep_firm(response.pulls[response.firm[i]], x, moved) > left;
+  });
   return moved;
 }
 
@@ -256,7 +274,7 @@ std::vector<Vec3> take_pushes(std::int64_t pause, Response& response, const std:
     apply_impulse(pull, Vec3(share * pull.push_impulse * normal), ways);
     return false;
   };
-  sweep_groups(1, visit, response);
+  sweep_contacts(1, visit, response);
   return ways;
 }
 

@@ -33,8 +33,9 @@ struct Pull {
 // The response to a step's contacts, group by group.
 struct Response {
   CollisionGroups groups;
-  std::vector<Pull> pulls;        // pulls[i] is of the contact groups.order[i]
-  std::vector<std::size_t> firm;  // those that may not give way
+  std::vector<Pull> pulls;              // pulls[i] is of the contact groups.order[i]
+  std::vector<std::size_t> firm;        // those that may not give way
+  std::vector<std::size_t> firm_begin;  // of part p: firm[firm_begin[p] .. firm_begin[p + 1])
 };
 
 // Each contact starts with what its memory says held it (`memories` may be empty): that is much the same
@@ -61,9 +62,9 @@ void push_apart(Response& response, std::vector<Vec3>& x);
 
 // When other constraints have moved points after that: firm contacts keep their target and their push again,
 // along their normals. These are contacts with colliders, which go on whatever cloth would like, and those of
-// cloth that is nearer than what pushes are paused to: what has more thickness can give some. Returns the
-// vertices that this moved, some of them often.
-std::vector<int> keep_firm_contacts(const Response& response, std::vector<Vec3>& x);
+// cloth that is nearer than what pushes are paused to: what has more thickness can give some. Returns for
+// each vertex whether this moved it.
+std::vector<char> keep_firm_contacts(const Response& response, std::vector<Vec3>& x);
 
 // What of the vertices' ways from the start to `end` was such a push and must not go into the velocities, in
 // m: of each contact as much as its sides have really parted. Where something pushes them together again, the

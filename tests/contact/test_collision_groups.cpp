@@ -33,9 +33,12 @@ CollisionGroups groups_of(const Scene& scene, const std::vector<Contact>& contac
 // The contacts of each group.
 std::vector<std::vector<int>> members(const CollisionGroups& groups) {
   std::vector<std::vector<int>> result;
-  for (const CollisionGroup& group : groups.groups)
-    result.emplace_back(groups.order.begin() + static_cast<std::ptrdiff_t>(group.joints_begin),
-                        groups.order.begin() + static_cast<std::ptrdiff_t>(group.end));
+  for (std::size_t g = 0; g < groups.group_count(); ++g) {
+    const auto part_begin = [&](std::size_t group) {
+      return static_cast<std::ptrdiff_t>(groups.part_begin[groups.round_begin[groups.group_begin[group]]]);
+    };
+    result.emplace_back(groups.order.begin() + part_begin(g), groups.order.begin() + part_begin(g + 1));
+  }
   return result;
 }
 
@@ -66,7 +69,7 @@ TEST(CollisionGroups, VerticesThatDoNotMoveOrPlayNoPartJoinNothing) {
 TEST(CollisionGroups, NoContactsMakeNoGroup) {
   const CollisionGroups groups = groups_of(grid({8, 5}), {});
   EXPECT_TRUE(groups.order.empty());
-  EXPECT_TRUE(groups.groups.empty());
+  EXPECT_EQ(groups.group_count(), 0u);
 }
 
 // A large group, as the contacts of a pile: 10,000 of neighbours in a sheet.
@@ -87,22 +90,43 @@ struct Pile {
   }
 };
 
-TEST(CollisionGroups, PartsOfALargeGroupShareNoVertexAndAreMostOfIt) {
+std::set<int> moving_vertices_of_part(const Pile& pile, const CollisionGroups& groups, std::size_t part) {
+  std::set<int> moving;
+  for (std::size_t i = groups.part_begin[part]; i < groups.part_begin[part + 1]; ++i)
+    moving.merge(pile.moving_vertices(groups.order[i]));
+  return moving;
+}
+
+TEST(CollisionGroups, PartsOfARoundShareNoVertex) {
   const Pile pile;
   const CollisionGroups groups = groups_of(pile.scene, pile.contacts);
-  ASSERT_EQ(groups.groups.size(), 1u);
-  const CollisionGroup& group = groups.groups[0];
-  ASSERT_EQ(group.part_begin.size(), 9u);
-  EXPECT_EQ(group.part_begin.back(), group.joints_begin);
-  std::set<int> seen;
-  for (std::size_t p = 0; p + 1 < group.part_begin.size(); ++p) {
-    std::set<int> part;
-    for (std::size_t i = group.part_begin[p]; i < group.part_begin[p + 1]; ++i)
-      part.merge(pile.moving_vertices(groups.order[i]));
-    for (const int v : part) EXPECT_TRUE(seen.insert(v).second) << v;
-    EXPECT_NEAR(static_cast<double>(group.part_begin[p + 1] - group.part_begin[p]), 9899 / 8.0, 200);
+  ASSERT_EQ(groups.group_count(), 1u);
+  ASSERT_EQ(groups.round_begin, (std::vector<std::size_t>{0, 8, 12, 15, 16}));
+  for (std::size_t round = 0; round + 1 < groups.round_begin.size(); ++round) {
+    std::set<int> seen;
+    for (std::size_t part = groups.round_begin[round]; part < groups.round_begin[round + 1]; ++part)
+      for (const int v : moving_vertices_of_part(pile, groups, part)) EXPECT_TRUE(seen.insert(v).second) << v;
   }
-  EXPECT_LT(group.end - group.joints_begin, 1000u);
+}
+
+TEST(CollisionGroups, PartsOfALargeGroupAreAlikeAndItsJointsFew) {
+  const Pile pile;
+  const CollisionGroups groups = groups_of(pile.scene, pile.contacts);
+  const auto size = [&](std::size_t part) {
+    return static_cast<double>(groups.part_begin[part + 1] - groups.part_begin[part]);
+  };
+  for (std::size_t slab = 0; slab < 8; ++slab) EXPECT_NEAR(size(slab), 9899 / 8.0, 200);
+  for (std::size_t joint = 8; joint < 15; ++joint) EXPECT_NEAR(size(joint), 100, 50);
+  EXPECT_EQ(size(15), 0);
+}
+
+// It spans the pile, and so several slabs.
+TEST(CollisionGroups, AContactOfManySlabsComesLastAndAlone) {
+  Pile pile;
+  pile.contacts.insert(pile.contacts.begin(), contact_of({4950, 51, 9951, 7050}));
+  const CollisionGroups groups = groups_of(pile.scene, pile.contacts);
+  EXPECT_EQ(groups.part_begin[16] - groups.part_begin[15], 1u);
+  EXPECT_EQ(groups.order.back(), 0);
 }
 
 TEST(CollisionGroups, EachContactIsInOnePlace) {
@@ -110,7 +134,7 @@ TEST(CollisionGroups, EachContactIsInOnePlace) {
   const CollisionGroups groups = groups_of(pile.scene, pile.contacts);
   EXPECT_EQ(std::set(groups.order.begin(), groups.order.end()).size(), pile.contacts.size());
   EXPECT_EQ(groups.order.size(), pile.contacts.size());
-  EXPECT_EQ(groups.groups[0].end, pile.contacts.size());
+  EXPECT_EQ(groups.part_begin.back(), pile.contacts.size());
 }
 
 }  // namespace
