@@ -10,17 +10,23 @@ namespace {
 
 constexpr std::size_t block = 256;
 
+// Instead of `==`, which calls memcmp for so little.
+template <std::size_t count>
+bool equal(const std::array<int, count>& a, const std::array<int, count>& b) {
+  for (std::size_t i = 0; i < count; ++i)
+    if (a[i] != b[i]) return false;
+  return true;
+}
+
 bool is_same(const RememberedContact& remembered, const Contact& contact) {
-  // Not `==`, which calls memcmp for so little.
-  const auto &a = remembered.vertices, &b = contact.vertices;
-  return remembered.kind == contact.kind && a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && a[3] == b[3];
+  return remembered.kind == contact.kind && equal(remembered.vertices, contact.vertices);
 }
 
 using Iterator = std::vector<RememberedContact>::const_iterator;
 
 // The contact, if it is among those of its place from `at` on: these are few.
 Iterator find(const Contact& contact, Iterator at, Iterator end) {
-  for (; at != end && at->place == contact.place; ++at)
+  for (; at != end && equal(at->place, contact.place); ++at)
     if (is_same(*at, contact)) return at;
   return end;
 }

@@ -179,19 +179,27 @@ void lock_colliding_pairs(const Work& work, Watch& watch, bool first_pass,
   }
 }
 
-// Holds a vertex over a plane: the plane goes as far as it can if the vertex stays, the vertex what room is
-// left.
-void hold_over_plane(const Work& work, const ContactPlane& plane, int v) {
-  const BodyMotion& motion = work.phase.bodies[plane.body];
+// What a vertex has over a plane at the start, beyond the gap, and how much of it each of them uses up.
+struct OverPlane {
+  double room, vertex_fall, plane_rise;  // m
+};
+
+OverPlane over_plane(const Work& work, const BodyMotion& plane, int v) {
   const Vec3& start = work.phase.motion.start[v];
-  const Vec3 up = motion.end.rotation.col(1);
-  const double height = motion.start.rotation.col(1).dot(start - motion.start.translation);
-  const double room = std::max(0.0, height - work.phase.least_gap);
-  const double vertex_fall = -up.dot(work.end[v] - start);
-  const double plane_rise = height - up.dot(start - motion.end.translation);
+  const Vec3 up = plane.end.rotation.col(1);
+  const double height = plane.start.rotation.col(1).dot(start - plane.start.translation);
+  return {std::max(0.0, height - work.phase.least_gap), -up.dot(work.end[v] - start),
+          height - up.dot(start - plane.end.translation)};
+}
+
+// The plane goes as far as it can if the vertex stays, the vertex what room is left.
+void hold_over_plane(const Work& work, const ContactPlane& plane, int v) {
+  const auto [room, vertex_fall, plane_rise] = over_plane(work, work.phase.bodies[plane.body], v);
   Progress& progress = work.progress;
   double& plane_share = progress.body_share[plane.body];
-  const auto fall = [&] { return progress.share[v] * vertex_fall + plane_share * plane_rise; };
+  const auto fall = [&, vertex_fall = vertex_fall, plane_rise = plane_rise] {
+    return progress.share[v] * vertex_fall + plane_share * plane_rise;
+  };
   if (fall() <= room) return;
   if (vertex_fall > 0) limit(progress, v, room - plane_share * plane_rise, vertex_fall);
   if (fall() <= room || plane_rise <= 0) return;
@@ -199,11 +207,34 @@ void hold_over_plane(const Work& work, const ContactPlane& plane, int v) {
   progress.plane_cut = true;
 }
 
+// Those of a cloth's vertices that may use up their room. What is left out need not be held later either:
+// vertices and planes only go shorter ways.
+std::vector<int> vertices_short_of_room(const Work& work, const ContactPlane& plane,
+                                        const ContactBody& cloth) {
+  constexpr std::size_t block = 1024;
+  const double plane_share = work.progress.body_share[plane.body];
+  const BodyMotion& motion = work.phase.bodies[plane.body];
+  std::vector<int> result;
+  parallel_collect(
+      cloth.vertex_end - cloth.vertex_begin, block, result,
+      [&](std::size_t begin, std::size_t end, std::vector<int>& out) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const int v = cloth.vertex_begin + static_cast<int>(i);
+          const auto [room, vertex_fall, plane_rise] = over_plane(work, motion, v);
+          if (work.progress.share[v] * std::max(0.0, vertex_fall) + plane_share * std::max(0.0, plane_rise) >
+              room)
+            out.push_back(v);
+        }
+      });
+  return result;
+}
+
 void hold_over_planes(const Work& work) {
   for (const ContactPlane& plane : work.phase.geometry.planes)
-    for (const ContactBody& body : work.phase.geometry.bodies)
-      for (int v = body.vertex_begin; body.is_cloth && v < body.vertex_end; ++v)
-        hold_over_plane(work, plane, v);
+    for (const ContactBody& body : work.phase.geometry.bodies) {
+      if (!body.is_cloth) continue;
+      for (const int v : vertices_short_of_room(work, plane, body)) hold_over_plane(work, plane, v);
+    }
 }
 
 // A rigid collider goes one share: the least of its vertices'. One that deforms yields where it must.
@@ -220,6 +251,17 @@ void keep_colliders_rigid(const Work& work) {
         progress.changed[v] = 1;
       }
   }
+}
+
+// Returns how many were cut.
+int cut_ways(const std::vector<Vec3>& start, const std::vector<double>& shares, std::vector<Vec3>& end) {
+  int cut = 0;
+  for (std::size_t v = 0; v < end.size(); ++v)
+    if (shares[v] < 1) {
+      end[v] = start[v] + shares[v] * (end[v] - start[v]);
+      ++cut;
+    }
+  return cut;
 }
 
 }  // namespace
@@ -245,11 +287,8 @@ FailSafeResult hold_back(const NarrowPhase& phase, const Proximity& proximity, s
   } while (progress.plane_cut ||
            std::find(progress.changed.begin(), progress.changed.end(), 1) != progress.changed.end());
 
-  for (std::size_t v = 0; v < vertices; ++v)
-    if (progress.share[v] < 1) {
-      end[v] = phase.motion.start[v] + progress.share[v] * (end[v] - phase.motion.start[v]);
-      ++result.limited_vertices;
-    }
+  if (result.passes > 1)  // one pass alone has cut nothing
+    result.limited_vertices = cut_ways(phase.motion.start, progress.share, end);
   result.vertex_progress = std::move(progress.share);
   result.body_progress = std::move(progress.body_share);
   return result;

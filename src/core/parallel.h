@@ -63,11 +63,15 @@ void parallel_collect(std::size_t count, std::size_t block_size, std::vector<Ite
   parallel_blocks(count, block_size, [&](std::size_t begin, std::size_t end, std::size_t block) {
     body(begin, end, parts[block]);
   });
-  std::size_t size = 0;
-  for (const auto& part : parts) size += part.size();
-  result.clear();
-  result.reserve(size);
-  for (const auto& part : parts) result.insert(result.end(), part.begin(), part.end());
+  std::vector<std::size_t> begin(parts.size() + 1, 0);
+  for (std::size_t p = 0; p < parts.size(); ++p) begin[p + 1] = begin[p] + parts[p].size();
+  result.resize(begin.back());
+  constexpr std::size_t little = 1 << 16;  // bytes: they are moved before another thread has come
+  const std::size_t parts_a_block =
+      begin.back() * sizeof(Item) > little ? 4 : std::max<std::size_t>(parts.size(), 1);
+  parallel_for_each(parts.size(), parts_a_block, [&](std::size_t p) {
+    std::move(parts[p].begin(), parts[p].end(), result.begin() + static_cast<std::ptrdiff_t>(begin[p]));
+  });
 }
 
 }  // namespace drape

@@ -1,9 +1,11 @@
 #include "simulation/step.h"
 
 #include <algorithm>
+#include <atomic>
 #include <span>
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "simulation/colliders.h"
 #include "simulation/come_after.h"
 #include "simulation/forces.h"
@@ -14,11 +16,20 @@ namespace {
 // A collider that was held up catches up at this multiple of its own pace.
 constexpr double catch_up = 1.5;
 
-// Where every vertex is before the step, and (for now) after it.
+constexpr std::size_t block = 1024;
+
+void copy_points(const std::vector<Vec3>& from, std::vector<Vec3>& to) {
+  parallel_for_each(from.size(), block, [&](std::size_t v) { to[v] = from[v]; });
+}
+
+// Where every vertex is before the step, and (for now) colliders after it: cloth has no end yet.
 void gather_start(const State& state, Scratch& scratch) {
-  scratch.start = state.positions;
-  scratch.start.insert(scratch.start.end(), state.collider_points.begin(), state.collider_points.end());
-  scratch.end = scratch.start;
+  const std::size_t count = state.positions.size();
+  scratch.start.resize(count + state.collider_points.size());
+  scratch.end.resize(scratch.start.size());
+  copy_points(state.positions, scratch.start);
+  for (std::size_t i = 0; i < state.collider_points.size(); ++i)
+    scratch.start[count + i] = scratch.end[count + i] = state.collider_points[i];
 }
 
 // A rigid collider makes for its pose at `time`, or what of it it can catch up with. It does not go past a
@@ -59,8 +70,10 @@ void aim_colliders(const World& world, double time, const State& state, Scratch&
 // in the paper's own form, which leaves that open).
 void move_without_contact(const World& world, double time, const State& state, Scratch& scratch) {
   external_accelerations(world, scratch.air_forces, state.positions, scratch.accelerations);
-  scratch.free_positions = state.positions;
-  scratch.free_velocities = state.velocities;
+  scratch.free_positions.resize(state.positions.size());
+  scratch.free_velocities.resize(state.positions.size());
+  copy_points(state.positions, scratch.free_positions);
+  copy_points(state.velocities, scratch.free_velocities);
   const auto colliders = std::span<const BodyMotion>(scratch.bodies).subspan(world.input.cloths.size());
   place_pinned(world.pins, time - world.step, time, state, colliders, scratch.free_positions);
   move_freely(world.model, scratch.accelerations, world.step, world.pinned, state.positions,
@@ -81,7 +94,10 @@ void sew_shut(const World& world, double time, const State& state, Scratch& scra
 }
 
 void check_finite(const std::vector<Vec3>& x) {
-  const bool finite = std::all_of(x.begin(), x.end(), [](const Vec3& p) { return p.allFinite(); });
+  std::atomic<bool> finite = true;
+  parallel_for_each(x.size(), block, [&](std::size_t v) {
+    if (!x[v].allFinite()) finite.store(false, std::memory_order_relaxed);
+  });
   if (!finite) throw SimulationError("the positions are no longer finite numbers: try a smaller time step");
 }
 
@@ -89,10 +105,11 @@ void check_finite(const std::vector<Vec3>& x) {
 // they came.
 void integrate(const World& world, const ContactStepResult& contact, State& state, Scratch& scratch) {
   const std::size_t count = state.positions.size();
-  for (std::size_t v = 0; v < count; ++v)
+  parallel_for_each(count, block, [&](std::size_t v) {
     state.velocities[v] = scratch.free_velocities[v] +
                           (scratch.end[v] - scratch.free_positions[v] - contact.push[v]) / world.step;
-  state.positions.assign(scratch.end.begin(), scratch.end.begin() + static_cast<std::ptrdiff_t>(count));
+    state.positions[v] = scratch.end[v];
+  });
   state.collider_points.assign(scratch.end.begin() + static_cast<std::ptrdiff_t>(count), scratch.end.end());
   for (std::size_t c = 0; c < state.collider_times.size(); ++c) {
     const double share = contact.body_progress[world.input.cloths.size() + c];
@@ -113,7 +130,7 @@ ContactStepResult advance_step(const World& world, double time, State& state, Sc
   timed(profile, Phase::elastic, [&] {
     move_without_contact(world, time, state, scratch);
     sew_shut(world, time, state, scratch);
-    std::copy(scratch.free_positions.begin(), scratch.free_positions.end(), scratch.end.begin());
+    copy_points(scratch.free_positions, scratch.end);
   });
   check_finite(scratch.end);
   ContactStepResult contact =

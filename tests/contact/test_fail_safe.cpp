@@ -174,6 +174,31 @@ TEST(FailSafe, AColliderGoesOneShareOfItsWay) {
   expect_gaps(scene);
 }
 
+// Thousands of vertices, some of which fall on a plane that rises, and some of which get out of its way.
+TEST(FailSafe, VerticesOverAPlaneAreHeldWhereTheyMustWithAnyNumberOfThreads) {
+  constexpr double height = 0.05, rise = 0.03;
+  std::vector<std::vector<Vec3>> results;
+  for (const int threads : {1, 2, 4}) {
+    const ThreadLimit limit(threads);
+    Random random(9);
+    Scene scene;
+    scene.add_cloth(test::shifted(make_grid({1, 1}, {60, 60}), {0, height, 0}), thickness);
+    const int plane = scene.add_plane();
+    for (Vec3& x : scene.end) x.y() += random.between(-0.03, 0.03);
+    scene.move_body(plane, {Mat3::Identity(), Vec3(0, rise, 0)});
+    const std::vector<Vec3> aims = scene.end;
+    const FailSafeResult result = hold(scene);
+    EXPECT_EQ(result.body_progress[plane], 1);
+    EXPECT_GT(result.limited_vertices, 500);
+    EXPECT_LT(result.limited_vertices, 2000);
+    for (std::size_t v = 0; v < aims.size(); ++v)
+      EXPECT_NEAR(scene.end[v].y(), std::max(aims[v].y(), rise + least_gap), 1e-12) << v;
+    results.push_back(scene.end);
+  }
+  EXPECT_EQ(results[1], results[0]);
+  EXPECT_EQ(results[2], results[0]);
+}
+
 TEST(FailSafe, AColliderTakesTheRoomFirst) {
   Scene scene;
   scene.add_cloth(test::shifted(make_grid({0.3, 0.3}, {4, 4}), {0, 0.2, 0}), thickness);

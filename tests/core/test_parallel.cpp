@@ -69,6 +69,26 @@ TEST(ParallelCollect, KeepsTheOrder) {
   }
 }
 
+// Enough to be moved by several threads, with parts of no items and a last one that is smaller.
+TEST(ParallelCollect, MuchIsPutTogetherInOrderWhateverWasThereBefore) {
+  std::vector<std::size_t> expected;
+  for (std::size_t i = 0; i < 30007; ++i)
+    if ((i / 100) % 3 != 1) expected.push_back(i);
+  ASSERT_GT(expected.size() * sizeof(std::size_t), 1u << 16);
+  for (const int threads : thread_counts) {
+    const ThreadLimit limit(threads);
+    for (const std::size_t before : {0u, 5u, 40000u}) {
+      std::vector<std::size_t> collected(before, 7);
+      parallel_collect(30007, 100, collected,
+                       [](std::size_t begin, std::size_t end, std::vector<std::size_t>& out) {
+                         for (std::size_t i = begin; i < end; ++i)
+                           if ((i / 100) % 3 != 1) out.push_back(i);
+                       });
+      EXPECT_EQ(collected, expected);
+    }
+  }
+}
+
 TEST(ParallelCollect, OfNothing) {
   std::vector<int> collected = {1};
   parallel_collect(0, 16, collected,
