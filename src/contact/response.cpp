@@ -94,8 +94,9 @@ double squared_tolerance(const Pull& pull, double squared_way) {
   return std::clamp(share * share * squared_way, at_rest * at_rest * most, most);
 }
 
-// One visit of one contact; returns how far it moved the sides, squared, in tolerances.
-double solve(Pull& pull, std::vector<Vec4>& x) {
+// One visit of one contact; returns how far it moved the sides, squared, in tolerances. Most of a heap's time
+// goes by here: calls of what it is made of would take a twelfth of that.
+[[gnu::flatten]] double solve(Pull& pull, std::vector<Vec4>& x) {
   if (!(pull.mobility > 0)) return 0;
   const Vec4 apart = weighted_sum(pull, x);
   const double violation = pull.normal.dot(apart) - pull.target;
