@@ -61,13 +61,14 @@ static double gust_speed(const WindInput& wind) { return wind.gust * wind.veloci
 bool is_steady(const WindInput& wind) { return !(gust_speed(wind) > 0); }
 
 Vec3 wind_at(const WindInput& wind, const Vec3& place, double time) {
-  if (is_steady(wind)) return wind.velocity;
+  const double speed = gust_speed(wind);
+  if (!(speed > 0)) return wind.velocity;
   const Vec3 carried = (place - time * wind.velocity) / wind.gust_size;
   const std::uint64_t seed = mix(static_cast<std::uint64_t>(wind.seed));
   // Whirls of three sizes hold less speed the smaller they are; the three shares add up to one.
   const Vec3 pattern = 4.0 / 7 * noise(seed, carried) + 2.0 / 7 * noise(seed + 1, 2 * carried) +
                        1.0 / 7 * noise(seed + 2, 4 * carried);
-  return wind.velocity + gust_speed(wind) * pattern;
+  return wind.velocity + speed * pattern;
 }
 
 }  // namespace drape
