@@ -78,6 +78,20 @@ bool is_static(const RigidMotion& motion) {
          std::none_of(std::begin(motion.turn), std::end(motion.turn), moves);
 }
 
+static bool changes_between(const Track& track, double begin, double end) {
+  const double value = sample(track, begin);
+  return sample(track, end) != value || std::any_of(track.begin(), track.end(), [&](const auto& key) {
+           return key.first > begin && key.first < end && key.second != value;
+         });
+}
+
+bool moves_between(const RigidMotion& motion, double begin, double end) {
+  for (const auto* tracks : {&motion.translate, &motion.turn})
+    for (const Track& track : *tracks)
+      if (changes_between(track, begin, end)) return true;
+  return false;
+}
+
 static double steepest(const Track& track) {
   double steepest = 0;
   for (std::size_t i = 1; i < track.size(); ++i)

@@ -30,6 +30,9 @@ struct RigidMotion {
 RigidPose pose_at(const RigidMotion& motion, double time);
 bool is_static(const RigidMotion& motion);
 
+// Whether its poses in that time (s) differ.
+bool moves_between(const RigidMotion& motion, double begin, double end);
+
 // m/s: no point of the body that does not turn is faster than this between keys.
 double largest_speed(const RigidMotion& motion);
 

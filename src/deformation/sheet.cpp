@@ -12,6 +12,12 @@ double rest_length(const Sheet& sheet, const Edge& edge) {
   return (sheet.rest_positions[edge.vertices[1]] - sheet.rest_positions[edge.vertices[0]]).norm();
 }
 
+double mean_edge_length(const Sheet& sheet) {
+  double sum = 0;
+  for (const Edge& edge : sheet.topology.edges) sum += rest_length(sheet, edge);
+  return sum / static_cast<double>(sheet.topology.edges.size());
+}
+
 double triangle_mass(const Sheet& sheet, int triangle) {
   return material_of(sheet, triangle).density * rest_area(sheet, triangle);
 }

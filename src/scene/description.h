@@ -116,6 +116,7 @@ struct SceneDescription {
   Vec3 gravity{0, -9.81, 0};
   WindInput wind;
   bool self_collision = true;
+  bool sleep = true;
   bool fail_safe = true;  // no key sets it: see SimulationInput
   std::vector<ClothDescription> cloths;
   std::vector<ColliderDescription> colliders;

@@ -43,6 +43,7 @@ void read_world(const Section& scene, SceneDescription& description) {
   read_number(wind, "tangential_drag", description.wind.tangential_drag);
   read_number(wind, "lift", description.wind.lift);
   read_boolean(simulation, "self_collision", description.self_collision);
+  read_boolean(simulation, "sleep", description.sleep);
 }
 
 // It is shown on one line.

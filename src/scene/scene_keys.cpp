@@ -82,6 +82,8 @@ constexpr Key general_keys[] = {
     number("simulation.wind.tangential_drag", plain, 0, 100, "coefficient of friction, along the cloth"),
     number("simulation.wind.lift", plain, 0, 100, "coefficient of lift, at right angles to the stream"),
     of_kind(KeyKind::boolean, "simulation.self_collision", "cloth against cloth"),
+    of_kind(KeyKind::boolean, "simulation.sleep",
+            "cloth that lies still is left alone until something stirs it"),
 };
 
 constexpr Key material_keys[] = {

@@ -13,6 +13,7 @@ SimulationInput simulation_input(const SceneDescription& scene) {
   input.gravity = scene.gravity;
   input.wind = scene.wind;
   input.self_collision = scene.self_collision;
+  input.sleep = scene.sleep;
   input.fail_safe = scene.fail_safe;
   input.frame_duration = 1 / scene.time.fps;
   input.largest_step = scene.time.step;
@@ -23,7 +24,7 @@ namespace {
 
 // Part of every fingerprint. To be counted up with each change that makes the same scene move in another way,
 // or that adds a value to the fingerprint: what is in a cache from before is then not taken for the scene's.
-constexpr std::uint64_t fingerprint_version = 5;
+constexpr std::uint64_t fingerprint_version = 6;
 
 // Numbers go in as their bytes, lists after their length, so that no two scenes run together.
 class Fingerprint {
@@ -135,6 +136,7 @@ std::uint64_t simulation_fingerprint(const SceneDescription& scene) {
   fingerprint.add(scene.gravity);
   fingerprint.add(scene.wind);
   fingerprint.add(scene.self_collision);
+  fingerprint.add(scene.sleep);
   fingerprint.add(scene.fail_safe);
   fingerprint.add(std::uint64_t{scene.cloths.size()});
   for (const ClothDescription& cloth : scene.cloths) fingerprint.add(cloth.input);

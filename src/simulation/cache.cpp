@@ -27,7 +27,7 @@ static_assert(std::endian::native == std::endian::little, "the files hold number
 
 enum class Kind : std::uint32_t { frame = 1, checkpoint = 2 };
 constexpr std::string_view magic("DRAPE\0\0\0", 8);
-constexpr std::uint32_t format_version = 5;
+constexpr std::uint32_t format_version = 6;
 constexpr int compression_level = 1;  // positions hardly compress further, and each frame waits for it
 
 // What stands before the compressed content. `hash` covers the fields after it and the compressed content, so
@@ -264,6 +264,9 @@ void write_checkpoint(const fs::path& folder, std::uint64_t fingerprint, const S
   content.add_all(state.grabs);
   content.add_all(state.seam_lengths);
   content.add_all(state.remembered_contacts);
+  content.add(state.contacts);
+  content.add_all(state.still_positions);
+  content.add(state.still_since);
   write(checkpoint_path(folder), Kind::checkpoint, fingerprint, content.bytes());
 }
 
@@ -282,9 +285,13 @@ std::optional<State> read_checkpoint(const fs::path& folder, std::uint64_t finge
                      content.take_all(state.velocities) && content.take_all(state.collider_points) &&
                      content.take_all(state.collider_times) && content.take_all(state.collider_poses) &&
                      content.take_all(state.grabs) && content.take_all(state.seam_lengths) &&
-                     content.take_all(state.remembered_contacts) && content.at_end();
+                     content.take_all(state.remembered_contacts) && content.take(state.contacts) &&
+                     content.take_all(state.still_positions) && content.take(state.still_since) &&
+                     content.at_end();
   const bool makes_sense = whole && frame >= 0 && frame <= std::numeric_limits<int>::max() &&
-                           state.positions.size() == state.velocities.size();
+                           state.positions.size() == state.velocities.size() &&
+                           state.positions.size() == state.still_positions.size() &&
+                           state.still_since <= frame;
   if (!makes_sense) fail_damaged(path, "its sizes disagree");
   state.frame = static_cast<int>(frame);
   return state;

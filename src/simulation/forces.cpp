@@ -55,8 +55,6 @@ void air_on_triangles(const World& world, std::size_t first, double time, const 
   std::copy_n(each.begin(), count, forces.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
-bool has_air(const WindInput& wind) { return wind.drag > 0 || wind.tangential_drag > 0; }
-
 // Of air and pressure on each triangle.
 std::vector<Vec3> with_pressure(const World& world, std::vector<Vec3> forces, const std::vector<Vec3>& x) {
   forces.resize(world.sheet.triangles.size(), Vec3::Zero());

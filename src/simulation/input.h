@@ -109,6 +109,7 @@ struct SimulationInput {
   Vec3 gravity{0, -9.81, 0};
   WindInput wind;
   bool self_collision = true;
+  bool sleep = true;      // cloth that lies still is left alone until something stirs it (rest.h)
   bool fail_safe = true;  // off only in tests, which show that the certificate sees what it prevents
   double frame_duration = 1.0 / 30;
   double largest_step = 0.002;  // seconds; a frame is cut into the least number of equal steps under it

@@ -1,10 +1,8 @@
 #include "simulation/simulation.h"
 
-#include <algorithm>
-
 #include "core/hash.h"
-#include "simulation/colliders.h"
 #include "simulation/forces.h"
+#include "simulation/rest.h"
 #include "simulation/statistics.h"
 #include "simulation/step.h"
 #include "simulation/world.h"
@@ -33,17 +31,10 @@ void Simulation::restore(State state) {
 const SimulationInput& Simulation::input() const { return parts_->world.input; }
 int Simulation::steps_per_frame() const { return parts_->world.steps_per_frame; }
 
-FrameStatistics Simulation::advance_frame() {
-  World& world = parts_->world;
-  State& state = parts_->state;
-  Scratch& scratch = parts_->scratch;
-  Profile profile;
-  ContactStepResult last;
+// All steps of the frame that comes after the state. Returns how many vertices the fail-safe held back in
+// them.
+static int advance_steps(const World& world, State& state, Scratch& scratch, Profile& profile) {
   int limited = 0;
-  const double start = state.frame * world.input.frame_duration;
-  update_pins(world, start);
-  grab(world.pins, start, state);
-  start_seams(world.seams, start, state.positions, state.seam_lengths);
   for (int i = 1; i <= world.steps_per_frame; ++i) {
     const double frames = state.frame + static_cast<double>(i) / world.steps_per_frame;
     const double time = frames * world.input.frame_duration;
@@ -51,19 +42,36 @@ FrameStatistics Simulation::advance_frame() {
       timed(profile, Phase::elastic, [&] {
         feel_air(world, time - world.step, state.positions, state.velocities, scratch.air_forces);
       });
-    last = advance_step(world, time, state, scratch, profile);
-    limited += last.limited_vertices;
+    const ContactStepResult contact = advance_step(world, time, state, scratch, profile);
+    state.contacts = contact.contacts;
+    limited += contact.limited_vertices;
   }
   ++state.frame;
+  return limited;
+}
 
+static int advance_awake(bool stirred, World& world, State& state, Scratch& scratch, Profile& profile) {
+  const double start = state.frame * world.input.frame_duration;
+  update_pins(world, start);
+  grab(world.pins, start, state);
+  start_seams(world.seams, start, state.positions, state.seam_lengths);
+  const int limited = advance_steps(world, state, scratch, profile);
+  watch_stillness(world, stirred, state);
+  return limited;
+}
+
+FrameStatistics Simulation::advance_frame() {
+  World& world = parts_->world;
+  State& state = parts_->state;
+  Profile profile;
+  int limited = 0;
+  const bool stirred = is_stirred(world, state);
+  if (!stirred && lies_still(world, state))
+    stay(world, state);
+  else
+    limited = advance_awake(stirred, world, state, parts_->scratch, profile);
   FrameStatistics statistics = measure(world, state);
-  statistics.contacts = last.contacts;
   statistics.limited_vertices = limited;
-  const double now = state.frame * world.input.frame_duration;
-  for (const double reached : state.collider_times)
-    statistics.largest_lag = std::max(statistics.largest_lag, now - reached);
-  statistics.largest_pin_lag = largest_pin_lag(world.pins, now, state);
-  statistics.largest_shape_lag = largest_shape_lag(world.input.colliders, now, state.collider_points);
   statistics.profile = profile;
   return statistics;
 }
@@ -82,6 +90,9 @@ std::uint64_t state_hash(const State& state) {
   add_vectors(hasher, state.grabs);
   hasher.add(state.seam_lengths.data(), state.seam_lengths.size() * sizeof(double));
   hasher.add(state.remembered_contacts.data(), state.remembered_contacts.size() * sizeof(RememberedContact));
+  hasher.add(&state.contacts, sizeof state.contacts);
+  add_vectors(hasher, state.still_positions);
+  hasher.add(&state.still_since, sizeof state.still_since);
   return hasher.digest();
 }
 

@@ -22,6 +22,9 @@ struct State {
   std::vector<Vec3> grabs;                // where the vertices of all pins were grabbed (pins.h); zero before
   std::vector<double> seam_lengths;       // m: how long the threads of all seams were at first; zero before
   std::vector<RememberedContact> remembered_contacts;  // what contacts keep of the last step
+  int contacts = 0;                                    // of the last step
+  std::vector<Vec3> still_positions;  // m: the places of the cloths' points at the end of the frame
+  int still_since = 0;                // since which they have lain still (rest.h)
 };
 std::uint64_t state_hash(const State& state);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "simulation/colliders.h"
+
 namespace drape {
 
 static std::vector<double> edge_stretches(const World& world, const State& state) {
@@ -15,8 +17,7 @@ static std::vector<double> edge_stretches(const World& world, const State& state
   return stretches;
 }
 
-FrameStatistics measure(const World& world, const State& state) {
-  FrameStatistics statistics;
+static void measure_edges(const World& world, const State& state, FrameStatistics& statistics) {
   std::vector<double> stretches = edge_stretches(world, state);
   const auto [smallest, largest] = std::minmax_element(stretches.begin(), stretches.end());
   statistics.smallest_stretch = *smallest;
@@ -25,10 +26,29 @@ FrameStatistics measure(const World& world, const State& state) {
       stretches.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(stretches.size() - 1));
   std::nth_element(stretches.begin(), p99, stretches.end());
   statistics.p99_stretch = *p99;
+}
+
+static void measure_motion(const World& world, const State& state, FrameStatistics& statistics) {
   for (std::size_t v = 0; v < state.velocities.size(); ++v) {
     statistics.kinetic_energy += 0.5 * world.masses[v] * state.velocities[v].squaredNorm();
     statistics.largest_speed = std::max(statistics.largest_speed, state.velocities[v].norm());
   }
+}
+
+static void measure_lags(const World& world, const State& state, FrameStatistics& statistics) {
+  const double now = state.frame * world.input.frame_duration;
+  for (const double reached : state.collider_times)
+    statistics.largest_lag = std::max(statistics.largest_lag, now - reached);
+  statistics.largest_pin_lag = largest_pin_lag(world.pins, now, state);
+  statistics.largest_shape_lag = largest_shape_lag(world.input.colliders, now, state.collider_points);
+}
+
+FrameStatistics measure(const World& world, const State& state) {
+  FrameStatistics statistics;
+  measure_edges(world, state, statistics);
+  measure_motion(world, state, statistics);
+  measure_lags(world, state, statistics);
+  statistics.contacts = state.contacts;
   return statistics;
 }
 

@@ -5,7 +5,7 @@
 
 namespace drape {
 
-// Stretch, energy and speed of a state; contacts, lag and profile are the caller's.
+// What a state shows; limited_vertices and profile are the caller's.
 FrameStatistics measure(const World& world, const State& state);
 
 }  // namespace drape

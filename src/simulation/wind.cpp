@@ -58,6 +58,8 @@ Vec3 noise(std::uint64_t seed, const Vec3& place) {
 // m/s: by how much gusts depart from the mean along each axis.
 static double gust_speed(const WindInput& wind) { return wind.gust * wind.velocity.norm(); }
 
+bool has_air(const WindInput& wind) { return wind.drag > 0 || wind.tangential_drag > 0; }
+
 bool is_steady(const WindInput& wind) { return !(gust_speed(wind) > 0); }
 
 Vec3 wind_at(const WindInput& wind, const Vec3& place, double time) {

@@ -11,6 +11,9 @@ namespace drape {
 // every machine; smooth in time and place.
 Vec3 wind_at(const WindInput& wind, const Vec3& place, double time);
 
+// Whether it takes hold of cloth at all.
+bool has_air(const WindInput& wind);
+
 // Whether the wind is the same at all places and times.
 bool is_steady(const WindInput& wind);
 

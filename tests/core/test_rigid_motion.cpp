@@ -84,6 +84,19 @@ TEST(IsStatic, WhereNoTrackHasTwoKeys) {
   EXPECT_FALSE(is_static(motion));
 }
 
+TEST(MovesBetween, SeesWhatChangesOnTheWay) {
+  RigidMotion motion;
+  EXPECT_FALSE(moves_between(motion, 0, 1));
+  motion.translate[1] = {{1.0, 2.0}, {2.0, 2.0}, {2.5, 3.0}, {3.0, 2.0}};
+  EXPECT_FALSE(moves_between(motion, 0, 1.5));
+  EXPECT_FALSE(moves_between(motion, 1.2, 2));
+  EXPECT_TRUE(moves_between(motion, 1.9, 2.1));
+  EXPECT_TRUE(moves_between(motion, 2, 3));  // there and back
+  EXPECT_FALSE(moves_between(motion, 3, 9));
+  motion.turn[2] = {{5.0, 0.0}, {6.0, 1.0}};
+  EXPECT_TRUE(moves_between(motion, 3, 9));
+}
+
 TEST(NextKey, IsTheFirstOfAnyTrackAfterTheTime) {
   RigidMotion motion;
   const double none = std::numeric_limits<double>::infinity();

@@ -25,6 +25,7 @@ TEST(Fingerprint, ChangesWithAllThatTheMotionDependsOn) {
                                             "simulation.wind.tangential_drag=0.1",
                                             "simulation.wind.lift=0.1",
                                             "simulation.self_collision=false",
+                                            "simulation.sleep=false",
                                             "cloths.a.grid.size=[1, 2]",
                                             "cloths.a.grid.points=[3, 4]",
                                             "cloths.a.place.at=[0, 1, 0]",

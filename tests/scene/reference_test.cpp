@@ -78,6 +78,7 @@ TEST(Reference, HasTheDefaultsOfTheSimulation) {
   EXPECT_EQ(scene.wind.tangential_drag, standard.wind.tangential_drag);
   EXPECT_EQ(scene.wind.lift, standard.wind.lift);
   EXPECT_EQ(scene.self_collision, standard.self_collision);
+  EXPECT_EQ(scene.sleep, standard.sleep);
 }
 
 TEST(Reference, HasTheDefaultsOfMaterials) {

@@ -31,10 +31,13 @@ State a_state() {
   state.collider_poses = {a_pose()};
   state.grabs = {{7, 8, 9}};
   state.seam_lengths = {0.5, 0.25};
+  state.contacts = 17;
+  state.still_since = 5;
   state.remembered_contacts = {{{1, 2}, {3, 4, 5, 6}, 1, {1e-9, {1, 2, 1e-300}, 7}}};
   for (int i = 0; i < 500; ++i) {
     state.positions.emplace_back(i / 3.0, -i, 1e-300 * i);
     state.velocities.emplace_back(i, 0.1 * i, -0.0);
+    state.still_positions.emplace_back(-i, 0.3 * i, 1e-300);
   }
   return state;
 }
@@ -182,7 +185,7 @@ TEST(CachedFrames, OfAnotherVersion) {
   folder.write("frame_0007.drape", forged(read_file(folder / "frame_0007.drape"), 16, 1, 4));
   EXPECT_EQ(failure(folder),
             (folder / "frame_0007.drape").string() +
-                ": has version 1 of the cache's format, and this program reads 5; run 'drape "
+                ": has version 1 of the cache's format, and this program reads 6; run 'drape "
                 "simulate' again");
 }
 
@@ -198,6 +201,9 @@ TEST(Checkpoints, ComeBackBitForBit) {
   EXPECT_EQ(same->collider_times, state.collider_times);
   EXPECT_EQ(same->grabs, state.grabs);
   EXPECT_EQ(same->seam_lengths, state.seam_lengths);
+  EXPECT_EQ(same->contacts, state.contacts);
+  EXPECT_EQ(same->still_positions, state.still_positions);
+  EXPECT_EQ(same->still_since, state.still_since);
   ASSERT_EQ(same->remembered_contacts.size(), 1u);
   EXPECT_EQ(std::memcmp(same->remembered_contacts.data(), state.remembered_contacts.data(),
                         sizeof(RememberedContact)),

@@ -67,6 +67,15 @@ TEST(Determinism, TheHashSeesEachPartOfTheState) {
   changed.remembered_contacts.push_back({{0, 0}, {1, 2, 3, 4}, 0, {1e-9, Vec3::Zero(), 0}});
   EXPECT_NE(state_hash(changed), hash);
   changed = state;
+  ++changed.contacts;
+  EXPECT_NE(state_hash(changed), hash);
+  changed = state;
+  changed.still_positions.back().y() += 1e-15;
+  EXPECT_NE(state_hash(changed), hash);
+  changed = state;
+  ++changed.still_since;
+  EXPECT_NE(state_hash(changed), hash);
+  changed = state;
   ++changed.frame;
   EXPECT_NE(state_hash(changed), hash);
 }
@@ -78,7 +87,7 @@ TEST(Determinism, TheHashOfASmallSceneIsTheOneOnRecord) {
   input.colliders = {ground(), {"ball", SphereShape{0.2}, {}, 0.3}};
   Simulation simulation(input);
   advance(simulation, 10);
-  EXPECT_EQ(to_hex(state_hash(simulation.state())), "3e7d6c99fcce3dcd");
+  EXPECT_EQ(to_hex(state_hash(simulation.state())), "aef434a7b8e68919");
 }
 
 }  // namespace
