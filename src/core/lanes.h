@@ -56,9 +56,9 @@ inline PointLanes operator-(PointLanes a, PointLanes b) { return {_mm_sub_ps(a.v
 inline PointLanes add_multiple(PointLanes a, float s, PointLanes b) {
   return {_mm_blend_ps(_mm_add_ps(a.v, _mm_mul_ps(_mm_set1_ps(s), b.v)), a.v, 8)};
 }
-// s (a - b) in x, y, z, and w of a.
-inline PointLanes scaled_difference(float s, PointLanes a, PointLanes b) {
-  return {_mm_blend_ps(_mm_mul_ps(_mm_set1_ps(s), _mm_sub_ps(a.v, b.v)), a.v, 8)};
+// s a in x, y, z, and w of a.
+inline PointLanes scaled(float s, PointLanes a) {
+  return {_mm_blend_ps(_mm_mul_ps(_mm_set1_ps(s), a.v), a.v, 8)};
 }
 
 struct Lanes {

@@ -112,8 +112,7 @@ ElasticModel build_elastic_model(const Sheet& sheet, const std::vector<double>& 
 }
 
 void load_elastic(const ElasticModel& model, const std::vector<Vec3>& start, ElasticScratch& scratch) {
-  scratch.offsets = model.inverse_masses;
-  split_points(start, scratch.offsets.size(), scratch.start);
+  split_points(start, model.inverse_masses.size(), scratch.start);
   load_bending(model.bending, scratch.start, scratch.bending_base);
   load_membrane(model.membrane, scratch.start, scratch.membrane_base);
   load_fibres(model.fibres, scratch.start, scratch.fibres);
@@ -124,11 +123,20 @@ namespace {
 
 constexpr std::size_t points_a_block = 1024;
 
-void load_vectors(const ElasticModel& model, const std::vector<Vec3>& vectors, std::vector<Point4>& points) {
-  points = model.inverse_masses;
-  parallel_for_each(vectors.size(), points_a_block, [&](std::size_t v) {
-    points[v] = {static_cast<float>(vectors[v].x()), static_cast<float>(vectors[v].y()),
-                 static_cast<float>(vectors[v].z()), points[v].w};
+Point4 as_point(const Vec3& vector, float w) {
+  return {static_cast<float>(vector.x()), static_cast<float>(vector.y()), static_cast<float>(vector.z()), w};
+}
+
+// Fillers have no motion.
+void load_motion(const ElasticModel& model, const std::vector<Vec3>& velocities,
+                 const std::vector<Vec3>& accelerations, ElasticScratch& scratch) {
+  const std::vector<Point4>& still = model.inverse_masses;
+  scratch.velocities.resize(still.size());
+  scratch.accelerations.resize(still.size());
+  parallel_for_each(still.size(), points_a_block, [&](std::size_t v) {
+    const bool is_filler = v >= velocities.size();
+    scratch.velocities[v] = is_filler ? still[v] : as_point(velocities[v], still[v].w);
+    scratch.accelerations[v] = is_filler ? still[v] : as_point(accelerations[v], still[v].w);
   });
 }
 
@@ -143,9 +151,7 @@ void move_pinned(const ElasticModel& model, const std::vector<Vec3>& start,
                  const std::vector<Vec3>& positions, ElasticScratch& scratch) {
   for (std::size_t v = 0; v < start.size(); ++v) {
     if (model.inverse_masses[v].w > 0) continue;
-    const Vec3 way = positions[v] - start[v];
-    scratch.offsets[v] = {static_cast<float>(way.x()), static_cast<float>(way.y()),
-                          static_cast<float>(way.z()), 0};
+    scratch.offsets[v] = as_point(positions[v] - start[v], 0);
   }
 }
 
@@ -167,18 +173,15 @@ void unload(const ElasticModel& model, const std::vector<Vec3>& start, const Ela
 
 void predict_offsets(const ElasticModel& model, ElasticScratch& scratch) {
   const auto step = static_cast<float>(model.step);
-  scratch.before.resize(scratch.offsets.size());
+  scratch.offsets.resize(scratch.velocities.size());
   parallel_blocks(
       scratch.offsets.size(), points_a_block, [&](std::size_t begin, std::size_t end, std::size_t) {
-        Point4 *offsets = scratch.offsets.data(), *velocities = scratch.velocities.data();
-        Point4* before = scratch.before.data();
-        const Point4* accelerations = scratch.accelerations.data();
+        const Point4 *velocities = scratch.velocities.data(), *accelerations = scratch.accelerations.data();
+        const Point4* still = model.inverse_masses.data();
+        Point4* offsets = scratch.offsets.data();
         for (std::size_t v = begin; v < end; ++v) {
-          const PointLanes x = load_point(offsets[v]);
           const PointLanes u = add_multiple(load_point(velocities[v]), step, load_point(accelerations[v]));
-          store_point(x, before[v]);
-          store_point(u, velocities[v]);
-          store_point(add_multiple(x, step, u), offsets[v]);
+          store_point(add_multiple(load_point(still[v]), step, u), offsets[v]);
         }
       });
 }
@@ -192,21 +195,20 @@ void pull_to_goals(const ElasticModel& model, ElasticScratch& scratch) {
 
 void update_velocities(const ElasticModel& model, ElasticScratch& scratch) {
   const auto rate = static_cast<float>(1 / model.step);
-  parallel_blocks(
-      scratch.offsets.size(), points_a_block, [&](std::size_t begin, std::size_t end, std::size_t) {
-        const Point4 *offsets = scratch.offsets.data(), *before = scratch.before.data();
-        Point4* velocities = scratch.velocities.data();
-        for (std::size_t v = begin; v < end; ++v)
-          store_point(scaled_difference(rate, load_point(offsets[v]), load_point(before[v])), velocities[v]);
-      });
+  parallel_blocks(scratch.offsets.size(), points_a_block,
+                  [&](std::size_t begin, std::size_t end, std::size_t) {
+                    const Point4* offsets = scratch.offsets.data();
+                    Point4* velocities = scratch.velocities.data();
+                    for (std::size_t v = begin; v < end; ++v)
+                      store_point(scaled(rate, load_point(offsets[v])), velocities[v]);
+                  });
 }
 
 void advance_elastic(const ElasticModel& model, const std::vector<Vec3>& accelerations,
                      const std::vector<Vec3>& start, ElasticScratch& scratch, std::vector<Vec3>& positions,
                      std::vector<Vec3>& velocities) {
   load_elastic(model, start, scratch);
-  load_vectors(model, velocities, scratch.velocities);
-  load_vectors(model, accelerations, scratch.accelerations);
+  load_motion(model, velocities, accelerations, scratch);
   damp(model, scratch);
   predict_offsets(model, scratch);
   move_pinned(model, start, positions, scratch);

@@ -34,7 +34,7 @@ ElasticModel build_elastic_model(const Sheet& sheet, const std::vector<double>& 
 // point moves in a step, not of where it is.
 struct ElasticScratch {
   SplitPoints start;
-  std::vector<Point4> offsets, velocities, accelerations, before;
+  std::vector<Point4> offsets, velocities, accelerations;
   std::vector<LaneRow> bending_base, membrane_base;
   FibreScratch fibres;
   std::vector<Point4> tether_base;

@@ -75,7 +75,7 @@ std::size_t ShapeMatchingRun::model_bytes() const {
 
 std::size_t ShapeMatchingRun::scratch_bytes() const {
   return bytes_of(scratch_.start.high, scratch_.start.low, scratch_.offsets, scratch_.velocities) +
-         bytes_of(scratch_.accelerations, scratch_.before, scratch_.bending_base, scratch_.membrane_base) +
+         bytes_of(scratch_.accelerations, scratch_.bending_base, scratch_.membrane_base) +
          bytes_of(scratch_.fibres.base, scratch_.fibres.work, scratch_.tether_base);
 }
 

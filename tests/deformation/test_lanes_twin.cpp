@@ -65,7 +65,7 @@ Case loaded(TriangleMesh mesh, double height, void (*disturb)(std::vector<Vec3>&
   for (Vec3& x : start) x += random.vector(0.01);
   disturb(start);
   load_elastic(made.model, start, made.scratch);
-  made.scratch.velocities = made.model.inverse_masses;
+  made.scratch.offsets = made.scratch.velocities = made.model.inverse_masses;
   for (std::size_t v = 0; v < start.size(); ++v) {
     const auto small = [&] { return static_cast<float>(random.between(-1e-4, 1e-4)); };
     made.scratch.offsets[v] = {small(), small(), small(), made.scratch.offsets[v].w};
