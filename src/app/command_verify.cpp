@@ -88,9 +88,14 @@ static Frames frames_of_run(const Run& run, const CertifiedScene& scene, const O
   return frames;
 }
 
+static CertifiedSurface certify(const MeshFrame& frame) {
+  const CertifiedCollider colliders{std::nullopt, frame.colliders};
+  return certify(frame.surface, {colliders}, {RigidPose{}});
+}
+
 static FrameCertificate certify_file(const MeshSequence& sequence, int i) {
   const MeshFrame frame = read_mesh_frame(sequence, sequence.files[i]);
-  const CertifiedSurface certified = certify(frame.surface);
+  const CertifiedSurface certified = certify(frame);
   const StretchRange stretch =
       edge_stretch(frame.rest_positions, frame.surface.positions, frame.surface.triangles);
   return {sequence.files[i].string(), certified.is_finite, stretch.smallest, stretch.largest,
@@ -103,8 +108,9 @@ static Frames frames_of_files(const MeshSequence& sequence, const Options& optio
   frames.certify = [&sequence](int i) { return certify_file(sequence, i); };
   frames.find_fault = [&sequence](int i) {
     Fault fault;
-    fault.surface = read_mesh_frame(sequence, sequence.files[i]).surface;
-    fault.certified = certify(fault.surface);
+    const MeshFrame frame = read_mesh_frame(sequence, sequence.files[i]);
+    fault.surface = frame.surface;
+    fault.certified = certify(frame);
     fault.triangle_name = [](int t) { return fmt::format("triangle {}", t + 1); };
     return fault;
   };

@@ -129,9 +129,22 @@ MeshSequence open_mesh_sequence(const std::vector<std::string>& inputs, const st
   return sequence;
 }
 
+// Whether it has the faces at rest, and after them others that share no point with them.
+static bool has_colliders(const PolygonSoup& rest, const PolygonSoup& soup) {
+  const auto begins_with = [](const std::vector<int>& all, const std::vector<int>& first) {
+    return all.size() > first.size() && std::equal(first.begin(), first.end(), all.begin());
+  };
+  if (soup.points.size() < rest.points.size()) return false;
+  if (!begins_with(soup.polygon_ends, rest.polygon_ends)) return false;
+  if (!begins_with(soup.corner_points, rest.corner_points)) return false;
+  const int first = static_cast<int>(rest.points.size());
+  return std::all_of(soup.corner_points.begin() + static_cast<std::ptrdiff_t>(rest.corner_points.size()),
+                     soup.corner_points.end(), [&](int corner) { return corner >= first; });
+}
+
 static void check_same_faces(const MeshSequence& sequence, const fs::path& file, const PolygonSoup& soup) {
   const PolygonSoup& rest = sequence.rest;
-  if (have_same_faces(soup, rest)) return;
+  if (have_same_faces(soup, rest) || has_colliders(rest, soup)) return;
   const bool same_size =
       soup.points.size() == rest.points.size() && soup.polygon_ends.size() == rest.polygon_ends.size();
   const std::string what =
@@ -145,15 +158,42 @@ static void check_same_faces(const MeshSequence& sequence, const fs::path& file,
       3);
 }
 
+static std::vector<int> take_after(std::vector<int>& numbers, std::size_t count, std::size_t offset) {
+  std::vector<int> taken;
+  for (std::size_t i = count; i < numbers.size(); ++i) taken.push_back(numbers[i] - static_cast<int>(offset));
+  numbers.resize(count);
+  return taken;
+}
+
+// Leaves of the polygons what there is at rest.
+static PolygonSoup take_colliders(const PolygonSoup& rest, PolygonSoup& soup) {
+  const std::size_t points = rest.points.size(), corners = rest.corner_points.size();
+  PolygonSoup colliders;
+  colliders.points.assign(soup.points.begin() + static_cast<std::ptrdiff_t>(points), soup.points.end());
+  soup.points.resize(points);
+  colliders.corner_points = take_after(soup.corner_points, corners, points);
+  colliders.polygon_ends = take_after(soup.polygon_ends, rest.polygon_ends.size(), corners);
+  return colliders;
+}
+
+static std::vector<Triangle> triangles_between(const std::vector<int>& vertices, const PolygonSoup& soup) {
+  std::vector<Triangle> triangles;
+  for (const auto& [a, b, c] : cut_into_fans(soup.corner_points, soup.polygon_ends)) {
+    const Triangle triangle{vertices[a], vertices[b], vertices[c]};
+    if (has_three_corners(triangle)) triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
 MeshFrame read_mesh_frame(const MeshSequence& sequence, const fs::path& file) {
   PolygonSoup soup = read_polygons(file);
   check_same_faces(sequence, file, soup);
-  const std::vector<int> vertices = first_equal_points(sequence.rest.points, soup.points);
-  MeshFrame frame{sequence.rest.points, {std::move(soup.points), {}}};
-  for (const auto& [a, b, c] : cut_into_fans(soup.corner_points, soup.polygon_ends)) {
-    const Triangle triangle{vertices[a], vertices[b], vertices[c]};
-    if (has_three_corners(triangle)) frame.surface.triangles.push_back(triangle);
-  }
+  PolygonSoup colliders = take_colliders(sequence.rest, soup);
+  MeshFrame frame{sequence.rest.points, {}, {}};
+  frame.surface.triangles = triangles_between(first_equal_points(sequence.rest.points, soup.points), soup);
+  frame.surface.positions = std::move(soup.points);
+  frame.colliders.triangles = triangles_between(first_equal_points(colliders.points), colliders);
+  frame.colliders.positions = std::move(colliders.points);
   return frame;
 }
 

@@ -31,8 +31,10 @@ MeshSequence open_mesh_sequence(const std::vector<std::string>& inputs, const st
 struct MeshFrame {
   std::vector<Vec3> rest_positions;
   ClothSurface surface;
+  TriangleMesh colliders;  // of faces and points that the file has after those at rest; often empty
 };
-// Throws as above, and InputError (exit status 3) where the file's faces are not those at rest.
+// Throws as above, and InputError (exit status 3) where the file's faces are not those at rest, with or
+// without colliders after them.
 MeshFrame read_mesh_frame(const MeshSequence& sequence, const std::filesystem::path& file);
 
 }  // namespace drape::app

@@ -93,6 +93,17 @@ TEST_F(MeshSequenceFiles, AreRefusedWhereTheirFacesDiffer) {
   EXPECT_EQ(complaint(triangle), "");
 }
 
+TEST_F(MeshSequenceFiles, MayHaveCollidersAfterTheFacesAtRest) {
+  const std::string rest = folder.write("rest.obj", triangle).string();
+  const std::string more = "v 0 0 1\nv 1 0 1\nv 0 1 1\nv 0 0 1\nf 4 5 6\nf 7 5 6\nf 4 5 7\n";
+  const std::string file = folder.write("a.obj", triangle + more).string();
+  const MeshFrame frame = read_mesh_frame(open_mesh_sequence({file}, rest), file);
+  EXPECT_EQ(frame.surface.positions.size(), 3u);
+  EXPECT_EQ(frame.surface.triangles, std::vector<Triangle>({{0, 1, 2}}));
+  EXPECT_EQ(frame.colliders.positions.size(), 4u);
+  EXPECT_EQ(frame.colliders.triangles, std::vector<Triangle>({{0, 1, 2}, {0, 1, 2}}));
+}
+
 TEST_F(MeshSequenceFiles, AreRefusedWithTheirLineWhereTheyAreNoMesh) {
   EXPECT_NE(complaint("v 0 zero 0\n").find("is not a number"), std::string::npos);
 }

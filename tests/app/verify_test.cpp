@@ -184,6 +184,28 @@ TEST_F(Verify, CertifiesWhatWasExported) {
   }
 }
 
+// The ball stands on the floor: colliders may meet each other.
+TEST_F(Verify, CertifiesWhatWasExportedWithColliders) {
+  for (const char* format : {"obj", "ply"}) {
+    ASSERT_EQ(run_drape({"export", run, "--colliders", "--format", format}).exit_status, 0);
+    const Finished finished = run_drape({"verify", run + "/" + format});
+    EXPECT_EQ(finished.exit_status, 0) << finished.err;
+    EXPECT_TRUE(contains(finished.out, "\ncertified: 3 frames\n")) << finished.out;
+  }
+}
+
+TEST_F(Verify, FindsClothInAnExportedCollider) {
+  change_frame(2, [](std::vector<Vec3f>& x) {
+    for (Vec3f& p : x) p.y() -= 0.1f;
+  });
+  ASSERT_EQ(run_drape({"export", run, "--colliders"}).exit_status, 0);
+  const Finished finished = run_drape({"verify", run + "/obj"});
+  EXPECT_EQ(finished.exit_status, 4);
+  EXPECT_TRUE(contains(finished.out, "1 of 3 frames, the worst is " + run + "/obj/frame_0002.obj"))
+      << finished.out;
+  EXPECT_TRUE(contains(finished.err, " is in a collider\n")) << finished.err;
+}
+
 TEST_F(Verify, FindsAnIntersectionInFilesOfOthers) {
   force_intersection(2);
   ASSERT_EQ(run_drape({"export", run}).exit_status, 0);
