@@ -1,5 +1,7 @@
 #include "scene/read_facts.h"
 
+#include <fmt/format.h>
+
 #include "scene/read_frame_range.h"
 #include "scene/read_part_name.h"
 
@@ -32,6 +34,27 @@ void check_cloth(const Section& test, const SceneFact& fact) {
                                  path_of(test, "cloth"), fact_name(fact.quantity)));
 }
 
+// Whether the command line says which frames there are: fewer than a scene's facts are about, to be quick.
+bool are_frames_overridden(const Section& scene) {
+  const Node* time = find_value(scene, "time");
+  const MapEntry* frames = time != nullptr ? find_entry(*time, "frames") : nullptr;
+  return frames != nullptr && frames->value.place.line == 0;
+}
+
+// A fact about frames that no run makes would never be tested.
+void check_frames(const Section& test, const SceneFact& fact, const Section& scene,
+                  const TimeSettings& time) {
+  const Node* frames = find_value(test, "frames");
+  const bool are_made = fact.last_frame <= time.last_frame && fact.last_frame >= time.first_frame;
+  if (frames == nullptr || are_made || are_frames_overridden(scene)) return;
+  test.problems->add(
+      frames->place,
+      fmt::format("{} is {}-{}, but the scene has frames {}-{} (time.frames): name frames that it has, or "
+                  "let it have more",
+                  path_of(test, "frames"), fact.first_frame, fact.last_frame, time.first_frame,
+                  time.last_frame));
+}
+
 SceneFact read_fact(const Section& test, const Section& scene, const SceneDescription& description) {
   SceneFact fact;
   int quantity = 0;
@@ -45,6 +68,7 @@ SceneFact read_fact(const Section& test, const Section& scene, const SceneDescri
   fact.most = read_bound(test, "most");
   check_bounds(test, fact);
   check_cloth(test, fact);
+  check_frames(test, fact, scene, description.time);
   return fact;
 }
 

@@ -120,7 +120,7 @@ TEST_F(Verify, HoldsFramesToWhatTheSceneSaysOfThem) {
       {what: highest, cloth: napkin, most: 0.4501, least: 0.44}, {what: lowest, least: 0.448},
       {what: middle_x, frames: 2-3, least: -1e-3, most: 1e-3}, {what: turn, frames: 30-31, most: 1},
       {what: largest_stretch, frames: 1-1, most: 0.5}])";
-  const Finished finished = verify({"-D", facts, "-f", "1"});
+  const Finished finished = verify({"-D", facts, "-D", "time.frames=1-3", "-f", "1"});
   EXPECT_EQ(finished.exit_status, 4);
   for (const char* line :
        {"\nholds       highest of napkin, frames 1 to 3, at least 0.44, at most 0.4501: found 0.4",
@@ -133,7 +133,7 @@ TEST_F(Verify, HoldsFramesToWhatTheSceneSaysOfThem) {
   EXPECT_TRUE(
       contains(finished.out, "\ncertified: 1 frame, but 2 of the 5 facts of the scene's `test` fail\n"))
       << finished.out;
-  const std::string json = verify({"-D", facts, "--json"}).out;
+  const std::string json = verify({"-D", facts, "-D", "time.frames=1-3", "--json"}).out;
   for (const char* part : {"\"test\": [", "\"fact\": \"lowest, frames 1 to 3, at least 0.448\"",
                            "\"holds\": false", "\"frame\": 3"})
     EXPECT_TRUE(contains(json, part)) << part << " is not in " << json;

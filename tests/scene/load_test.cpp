@@ -201,6 +201,16 @@ TEST(Load, OfAMissingSceneHasStatusThree) {
   EXPECT_EQ(failure.words, "error: none.yaml: cannot be read: No such file or directory");
 }
 
+// A run of a few frames is quick, and most of what a scene must show comes later.
+TEST(Load, TakesFactsOfFramesThatTheCommandLineCutsOff) {
+  const std::string text =
+      "time: {frames: 1-50}\n" + smallest_scene + "test: [{what: lowest, frames: 40-50, least: 0}]\n";
+  EXPECT_EQ(load_text(text, {"time.frames=1-5"}).facts.at(0).first_frame, 40);
+  EXPECT_EQ(load_text(text, {"time={frames: 1-5}"}).facts.size(), 1u);
+  EXPECT_NE(errors_of(text, {"test.0.frames=51"}).find("-D test.0.frames=51: error: test[0].frames is 1-51"),
+            std::string::npos);
+}
+
 TEST(Load, HandsTheSimulationWhatItNeeds) {
   const auto input = simulation_input(load_text(smallest_scene + "time: {fps: 25, step: 1 ms}\n"));
   EXPECT_EQ(input.cloths.size(), 1u);
