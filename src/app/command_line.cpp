@@ -4,7 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <sstream>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -289,6 +291,30 @@ static std::string unknown_command(const CLI::App& app, int argument_count, cons
   return fmt::format("drape: error: there is no command '{}'; the commands are {}\n", arguments[1], names);
 }
 
+static const CLI::App* find_command(const CLI::App& app, const std::string& name) {
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == name) return command;
+  }
+  return nullptr;
+}
+
+static bool is_frames_flag(std::string_view word) {
+  return word == "-f" || word == "--frames" || word.starts_with("--frames=");
+}
+
+// CLI11 would take what follows the flag for another scene. Which frames a scene has is a key of its own.
+static std::string misplaced_frames(const CLI::App& app, int argument_count, const char* const* arguments) {
+  if (argument_count < 2) return "";
+  const CLI::App* command = find_command(app, arguments[1]);
+  const auto takes = [&](const char* flag) { return command->get_option_no_throw(flag) != nullptr; };
+  if (command == nullptr || takes("--frames") || !takes("--define")) return "";
+  if (std::none_of(arguments + 2, arguments + argument_count, is_frames_flag)) return "";
+  return fmt::format(
+      "drape: error: '{}' has no --frames, since it is for all frames of the scene: set these with "
+      "-D time.frames=1-N\n",
+      command->get_name());
+}
+
 CommandLine parse_command_line(int argument_count, const char* const* arguments) {
   CommandLine result;
   CLI::App app{"Drape renders animations of cloth: a scene file in, pictures and a video out.", "drape"};
@@ -298,6 +324,7 @@ CommandLine parse_command_line(int argument_count, const char* const* arguments)
   Subcommands commands(app, result.options);
   add_subcommands(commands, result.options);
   result.error = unknown_command(app, argument_count, arguments);
+  if (result.error.empty()) result.error = misplaced_frames(app, argument_count, arguments);
   if (!result.error.empty()) return result;
   try {
     app.parse(argument_count, arguments);

@@ -46,6 +46,16 @@ TEST(CommandLine, NamesTheCommandsWhereOneIsMistyped) {
             "validate, info, export, measure, verify, diff\n");
 }
 
+TEST(CommandLine, SaysHowToSetTheFramesWhereNoFlagDoes) {
+  const std::string words =
+      " has no --frames, since it is for all frames of the scene: set these with -D time.frames=1-N\n";
+  EXPECT_EQ(parse({"run", "a.yaml", "--frames", "5"}).error, "drape: error: 'run'" + words);
+  EXPECT_EQ(parse({"simulate", "-f", "5", "a.yaml"}).error, "drape: error: 'simulate'" + words);
+  EXPECT_EQ(parse({"encode", "a.yaml", "--frames=5"}).error, "drape: error: 'encode'" + words);
+  EXPECT_EQ(parse({"render", "a.yaml", "--frames", "5"}).error, "");
+  EXPECT_EQ(parse({"diff", "a.png", "b.png", "-f"}).error.find("time.frames"), std::string::npos);
+}
+
 TEST(CommandLine, RefusesWhatACommandDoesNotTake) {
   EXPECT_NE(parse({}).error, "");
   EXPECT_NE(parse({"run"}).error, "");
