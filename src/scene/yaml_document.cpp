@@ -11,6 +11,7 @@
 #include <sstream>
 #include <utility>
 
+#include "scene/bare_color.h"
 #include "scene/text_encoding.h"
 
 namespace drape {
@@ -194,11 +195,35 @@ std::string in_plain_words(const std::string& message) {
   return message;
 }
 
+bool is_at_end(std::string_view text, const YAML::Exception& error) {
+  return error.mark.pos > static_cast<int>(text.size());
+}
+
 std::string syntax_message(std::string_view text, const YAML::Exception& error) {
-  if (error.mark.pos > static_cast<int>(text.size())) return "not YAML: a quote or a bracket is not closed";
+  if (is_at_end(text, error)) return "not YAML: a quote or a bracket is not closed";
   if (tab_indents(text, error.mark.line + 1))
     return "not YAML: a tab indents this line; YAML takes spaces only";
   return "not YAML: " + in_plain_words(error.msg);
+}
+
+bool leaves_bracket_open(std::string_view text, const YAML::Exception& error) {
+  return error.msg == "end of map flow not found" || error.msg == "end of sequence flow not found" ||
+         is_at_end(text, error);
+}
+
+// The parser finds on a later line that a colour without quotes took a bracket's end into its comment.
+std::optional<BareColor> color_at_fault(std::string_view text, const YAML::Exception& error) {
+  return leaves_bracket_open(text, error) ? last_bare_color(text, error.mark.line + 1) : std::nullopt;
+}
+
+void add_syntax_problem(std::string_view text, const std::shared_ptr<const std::string>& file,
+                        const YAML::Exception& error, ProblemList& problems) {
+  if (const auto color = color_at_fault(text, error))
+    return problems.add({file, color->line, color->column},
+                        fmt::format("not YAML: # without quotes starts a comment, so that the rest of this "
+                                    "line is not read; a colour needs them: \"{}\"",
+                                    color->text));
+  problems.add({file, error.mark.line + 1, error.mark.column + 1}, syntax_message(text, error));
 }
 
 }  // namespace
@@ -229,7 +254,7 @@ std::optional<Node> parse_yaml(std::string_view text, const std::shared_ptr<cons
   } catch (const Refusal& refusal) {
     problems.add(refusal.place, refusal.message);
   } catch (const YAML::Exception& error) {
-    problems.add({file, error.mark.line + 1, error.mark.column + 1}, syntax_message(text, error));
+    add_syntax_problem(text, file, error, problems);
   }
   return std::nullopt;
 }

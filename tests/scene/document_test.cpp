@@ -116,6 +116,24 @@ TEST(Document, RefusesWhatEscapesBringBack) {
   EXPECT_EQ(words_of("\"a\\nb\": 1\n"), "a.yaml:1:1: error: a key must be one line");
 }
 
+// The parser complains about the line after the colour, or about the end of the text.
+TEST(Document, PointsAtAColorWithoutQuotesThatLeavesABracketOpen) {
+  const std::string words =
+      "error: not YAML: # without quotes starts a comment, so that the rest of this line is not read; a "
+      "colour "
+      "needs them: ";
+  EXPECT_EQ(words_of("look: {color: #ff0000}\nb: {c: 1}\n"), "a.yaml:1:15: " + words + "\"#ff0000\"");
+  EXPECT_EQ(words_of("a: 1\nlook: {color: #f00, sheen: 1}\n"), "a.yaml:2:15: " + words + "\"#f00\"");
+  EXPECT_EQ(words_of("a: [\"#abc\", #00ff00]\nb: 1\n"), "a.yaml:1:13: " + words + "\"#00ff00\"");
+}
+
+TEST(Document, BlamesNoOtherCommentForAnOpenBracket) {
+  const std::string open = ": error: not YAML: a `{` is not closed, or a comma is missing before this";
+  EXPECT_EQ(words_of("a: {b: 1 #abc\nc: 2\n"), "a.yaml:2:1" + open);      // after the value
+  EXPECT_EQ(words_of("a: {b: \"x #abc\"\nc: 2\n"), "a.yaml:2:1" + open);  // in quotes
+  EXPECT_EQ(words_of("a: {b: #red\nc: 2\n"), "a.yaml:2:2" + open);        // no colour
+}
+
 TEST(Document, QuotesWithoutCuttingACharacter) {
   EXPECT_EQ(quote("short"), "`short`");
   const std::string letters(59, 'x');
