@@ -17,6 +17,19 @@ std::string text_of(const Section& section, std::string_view key) {
   return text;
 }
 
+// "scene.yaml:4:11", or the override of the command line.
+static std::string in_words(const Place& place) {
+  return place.line == 0 ? *place.file : fmt::format("{}:{}:{}", *place.file, place.line, place.column);
+}
+
+// Where what is wrong stands, and who wants the file.
+static void add_fault_of_file(const Section& section, std::string_view key, const Place& asked_at,
+                              const Problem& fault) {
+  section.problems->add_file_fault(
+      {std::make_shared<const std::string>(fault.file), fault.line, fault.column},
+      fmt::format("{} ({} at {} names this file)", fault.message, path_of(section, key), in_words(asked_at)));
+}
+
 bool read_file_of(const Section& section, std::string_view key, const std::string& name,
                   const fs::path& scene_folder, const std::function<void(const fs::path&)>& read) {
   const Place place = find_value(section, key)->place;
@@ -29,9 +42,7 @@ bool read_file_of(const Section& section, std::string_view key, const std::strin
   } catch (const FileError& error) {
     section.problems->add_file_fault(place, fmt::format("{}: {}", path_of(section, key), error.what()));
   } catch (const InputError& error) {
-    for (const Problem& problem : error.problems())
-      section.problems->add_file_fault(
-          {std::make_shared<const std::string>(problem.file), problem.line, problem.column}, problem.message);
+    for (const Problem& fault : error.problems()) add_fault_of_file(section, key, place, fault);
   }
   return false;
 }

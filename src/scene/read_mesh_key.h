@@ -12,8 +12,9 @@ namespace drape {
 // A key's text; empty, and a problem, where it is none.
 std::string text_of(const Section& section, std::string_view key);
 
-// Calls read(path) with the file of that name under the scene's folder. False, and a problem at the key,
-// where there is none or `read` throws FileError or InputError.
+// Calls read(path) with the file of that name under the scene's folder. False, and a problem, where there is
+// none or `read` throws FileError (a problem at the key) or InputError (where it says, with the key's name
+// and place).
 bool read_file_of(const Section& section, std::string_view key, const std::string& name,
                   const std::filesystem::path& scene_folder,
                   const std::function<void(const std::filesystem::path&)>& read);

@@ -211,6 +211,17 @@ TEST(Load, TakesFactsOfFramesThatTheCommandLineCutsOff) {
             std::string::npos);
 }
 
+TEST(Load, NamesWhoWantsAMeshThatIsBroken) {
+  const TemporaryFolder folder;
+  folder.write("bad.obj", "v 0 0 zero\n");
+  folder.write("scene.yaml", "version: 1\ncloths: {a: {mesh: none.obj}}\n");
+  const Failure failure = failure_of(folder.path() / "scene.yaml", folder.path(), {"cloths.a.mesh=bad.obj"});
+  EXPECT_EQ(failure.exit_status, 3);
+  EXPECT_EQ(failure.words,
+            "bad.obj:1:7: error: 'zero' is not a number (cloths.a.mesh at -D cloths.a.mesh=bad.obj names "
+            "this file)");
+}
+
 TEST(Load, HandsTheSimulationWhatItNeeds) {
   const auto input = simulation_input(load_text(smallest_scene + "time: {fps: 25, step: 1 ms}\n"));
   EXPECT_EQ(input.cloths.size(), 1u);
