@@ -4,6 +4,7 @@
 #include "app/exit_status.h"
 #include "app/progress.h"
 #include "app/run.h"
+#include "app/start.h"
 #include "app/view.h"
 #include "mesh/topology.h"
 #include "scene/load.h"
@@ -77,12 +78,20 @@ static void print_estimate(const SceneDescription& scene, const SceneSize& size)
                            1e-6 * (bytes_per_context + bytes_per_pixel * pixels)));
 }
 
+// Judged as `simulate` judges it before it begins.
+static void print_start(const SceneDescription& scene) {
+  const std::vector<Problem> problems = start_problems(scene, find_start(scene));
+  if (problems.empty()) return print_result("start      nothing is through anything");
+  for (const Problem& problem : problems) print_result("start      will be refused: " + problem.message);
+}
+
 int info_command(const Options& options, const Console&) {
   const Run run = open_run(options.inputs.front(), options.overrides, options.output);
   const SceneSize size = measure(run.scene);
   print_result(fmt::format("scene      {} ({})", run.scene.name, run.scene.file));
   print_cloths(run.scene);
   print_result(fmt::format("colliders  {}", run.scene.colliders.size()));
+  print_start(run.scene);
   print_time(run.scene, size);
   print_estimate(run.scene, size);
   print_result(fmt::format("output     {}", run.folder.root.string()));

@@ -172,6 +172,20 @@ TEST_F(RefusedStart, IsFoundByValidate) {
   EXPECT_NE(finished.err.find("cloths.napkin starts in colliders.ball"), std::string::npos) << finished.err;
 }
 
+TEST_F(RefusedStart, IsToldByInfo) {
+  const auto info = [&](const std::string& at) { return run_drape({"info", scene, "-D", at}); };
+  const Finished finished = info("cloths.napkin.place.at=[0, 0.3, 0]");
+  EXPECT_EQ(finished.exit_status, 0);
+  EXPECT_NE(
+      finished.out.find("\nstart      will be refused: cloths.napkin starts in colliders.ball: triangle "),
+      std::string::npos)
+      << finished.out;
+  EXPECT_NE(finished.out.find(" more triangles; move one of them with `place`\n"), std::string::npos);
+  EXPECT_NE(
+      info("cloths.napkin.place.at=[0, 0.45, 0]").out.find("\nstart      nothing is through anything\n"),
+      std::string::npos);
+}
+
 // Exactly on each other at first; a second later as far apart as their thickness asks, but for a share.
 TEST(TouchingStart, GrowsToTheThickness) {
   const TemporaryFolder folder;
