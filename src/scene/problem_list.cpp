@@ -13,7 +13,21 @@ static Problem problem_at(const Place& place, std::string message) {
   return {place.file ? *place.file : std::string(), place.line, place.column, std::move(message)};
 }
 
+static auto key_of(const Place& place) {
+  return std::tuple(place.file ? *place.file : std::string(), place.line, place.column);
+}
+
+void ProblemList::add_cause(const Place& place, std::string message) {
+  add(place, std::move(message));
+  explained_.insert(key_of(place));
+}
+
+void ProblemList::follow(const Place& place, const Place& cause) {
+  if (explained_.contains(key_of(cause))) explained_.insert(key_of(place));
+}
+
 void ProblemList::add(const Place& place, std::string message) {
+  if (explained_.contains(key_of(place))) return;
   problems_.push_back(problem_at(place, std::move(message)));
   scene_at_fault_ = true;
 }

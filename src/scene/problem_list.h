@@ -1,6 +1,8 @@
 #pragma once
 
+#include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/error.h"
@@ -13,6 +15,10 @@ class ProblemList {
  public:
   // A mistake in what the scene says.
   void add(const Place& place, std::string message);
+  // One that others at its place only follow from: those that are found later are not told.
+  void add_cause(const Place& place, std::string message);
+  // Makes what is wrong at `place` follow from what was found at `cause`, if that is a cause.
+  void follow(const Place& place, const Place& cause);
   // A file that cannot be read, or whose content is unfit.
   void add_file_fault(const Place& place, std::string message);
   bool empty() const { return problems_.empty(); }
@@ -24,6 +30,7 @@ class ProblemList {
 
  private:
   std::vector<Problem> problems_;
+  std::set<std::tuple<std::string, int, int>> explained_;  // files, lines and columns of causes
   bool scene_at_fault_ = false;
 };
 

@@ -41,29 +41,33 @@ class Substitution {
     for (std::size_t begin = 0; (begin = rest.find("${")) != std::string_view::npos;) {
       const std::size_t end = rest.find('}', begin);
       if (end == std::string_view::npos)
-        return problems_.add(node.place, fmt::format("`${{` without `}}` in {}", describe(node)));
+        return problems_.add_cause(node.place, fmt::format("`${{` without `}}` in {}", describe(node)));
       const std::string_view name = rest.substr(begin + 2, end - begin - 2);
       const Node* value = look_up(node, name);
       if (value == nullptr) return;
       if (value->kind != Node::Kind::scalar)
-        return problems_.add(node.place, fmt::format("variable {} is {}, which cannot stand inside of a text",
-                                                     quote(name), describe(*value)));
+        return problems_.add_cause(
+            node.place, fmt::format("variable {} is {}, which cannot stand inside of a text", quote(name),
+                                    describe(*value)));
       result.append(rest.substr(0, begin)).append(value->text);
       rest.remove_prefix(end + 1);
       if (result.size() > longest_text)
-        return problems_.add(node.place,
-                             fmt::format("longer than {} letters with its variables", longest_text));
+        return problems_.add_cause(node.place,
+                                   fmt::format("longer than {} letters with its variables", longest_text));
     }
     node.text = result.append(rest);
   }
 
   const Node* look_up(const Node& node, std::string_view name) {
     const auto found = values_.find(name);
-    if (found != values_.end()) return found->second;
+    if (found != values_.end()) {
+      problems_.follow(node.place, found->second->place);
+      return found->second;
+    }
     std::vector<std::string_view> names;
     for (const auto& [known, value] : values_) names.push_back(known);
-    problems_.add(node.place, fmt::format("no variable {} above this{}", quote(name),
-                                          names.empty() ? "" : suggestion(name, names, "variables")));
+    problems_.add_cause(node.place, fmt::format("no variable {} above this{}", quote(name),
+                                                names.empty() ? "" : suggestion(name, names, "variables")));
     return nullptr;
   }
 
@@ -71,9 +75,9 @@ class Substitution {
   bool take_budget(const Node& value, const Place& place, int depth) {
     const std::size_t nodes = count_nodes(value), text = count_text(value);
     if (nodes > nodes_left_ || text > text_left_ || depth + depth_of(value) > largest_node_depth) {
-      problems_.add(place,
-                    fmt::format("more than {} values, a megabyte, or {} levels, with variables in place",
-                                largest_node_count, largest_node_depth));
+      problems_.add_cause(
+          place, fmt::format("more than {} values, a megabyte, or {} levels, with variables in place",
+                             largest_node_count, largest_node_depth));
       return false;
     }
     nodes_left_ -= nodes;

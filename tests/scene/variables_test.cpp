@@ -34,6 +34,24 @@ TEST(Variables, MustBeKnown) {
   EXPECT_EQ(errors_of(with_vars("3")), "scene.yaml:1:7: error: vars must be a map from names, not `3`");
 }
 
+// What the text of a variable that is not there would be as a number, a color or a map is told by nobody.
+TEST(Variables, AreOneProblemWhereTheyAreUnknown) {
+  const std::string time = "time: {fps: \"${rate}\"}\n";
+  EXPECT_EQ(errors_of(smallest_scene + time), "scene.yaml:3:13: error: no variable `rate` above this");
+  EXPECT_EQ(errors_of(smallest_scene, {"time.fps=${rate}"}),
+            "-D time.fps=${rate}: error: no variable `rate` above this");
+  EXPECT_EQ(errors_of(with_vars("{rate: \"${fps}\"}", time)),
+            "scene.yaml:1:14: error: no variable `fps` above this");
+  EXPECT_EQ(errors_of(with_vars("{rate: \"${fps}\"}", "time: {fps: \"1${rate}\"}\n")),
+            "scene.yaml:1:14: error: no variable `fps` above this");
+}
+
+TEST(Variables, HideNoOtherProblemWhereTheyAreUnknown) {
+  EXPECT_EQ(errors_of(smallest_scene + "time: {fps: \"${rate}\", step: long}\n"),
+            "scene.yaml:3:13: error: no variable `rate` above this\n"
+            "scene.yaml:3:30: error: time.step must be a time (a number, in s, ms, us, min), not `long`");
+}
+
 TEST(Variables, CannotGrowWithoutEnd) {
   std::string text = "{v0: [a, a, a, a]";
   for (int i = 1; i < 30; ++i) {
