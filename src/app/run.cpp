@@ -7,6 +7,7 @@
 #include "app/frame_range.h"
 #include "app/program.h"
 #include "core/error.h"
+#include "core/file.h"
 #include "scene/load.h"
 
 namespace drape::app {
@@ -77,6 +78,7 @@ Run open_run(const std::string& input, const std::vector<std::string>& overrides
   run.input = input;
   run.scene = load_scene(source.file, source.overrides);
   run.folder = find_folder(input, source.file, output);
+  refuse_file_as_folder(run.folder.root);
   run.manifest = open_manifest(run.folder, simulation_fingerprint(run.scene));
   run.manifest.program_version = program_version();
   run.manifest.scene = fs::proximate(fs::absolute(source.file), fs::absolute(run.folder.root)).string();

@@ -35,7 +35,17 @@ static bool write_all(int file, std::string_view content) {
   return true;
 }
 
+void refuse_file_as_folder(const fs::path& folder) {
+  std::error_code ignored;
+  fs::path path = folder;
+  while (!path.empty() && path != path.root_path() && !fs::exists(fs::status(path, ignored)))
+    path = path.parent_path();
+  if (!path.empty() && fs::exists(fs::status(path, ignored)) && !fs::is_directory(path, ignored))
+    throw FileError(path.string(), "is a file, not a folder, and nothing can be put into it: name a folder");
+}
+
 static void make_folder(const fs::path& folder) {
+  refuse_file_as_folder(folder);
   std::error_code error;
   if (!folder.empty()) fs::create_directories(folder, error);
   if (error) throw FileError(folder.string(), "the folder cannot be made: " + error.message());

@@ -61,6 +61,18 @@ TEST_F(ExitStatusOfProgram, InfoCountsWhatWillBeDone) {
   EXPECT_NE(info.out.find("417 a frame, 5004 in all"), std::string::npos) << info.out;
 }
 
+TEST_F(ExitStatusOfProgram, IsThreeWhereTheOutputIsAFile) {
+  const std::string scene = write_scene(folder, "good", 2), file = folder.write("plain", "text").string();
+  for (const char* command : {"run", "simulate", "render", "encode", "info"}) {
+    const Finished finished = run_drape({command, scene, "-o", file});
+    EXPECT_EQ(finished.exit_status, 3) << command;
+    EXPECT_EQ(finished.err, "drape: error: " + file +
+                                ": is a file, not a folder, and nothing can be put into it: name a folder\n")
+        << command;
+  }
+  EXPECT_EQ(read_file(file), "text");
+}
+
 TEST_F(ExitStatusOfProgram, IsThreeWhereAPathCannotBeFollowed) {
   const std::string scene = write_scene(folder, "good", 2);
   std::filesystem::create_symlink("loop", folder / "loop");

@@ -66,6 +66,17 @@ TEST(File, AFolderIsNotReplaced) {
   EXPECT_EQ(entries(folder.path()), 1u);
 }
 
+TEST(File, IsNoFolderToPutAnotherInto) {
+  const TemporaryFolder folder;
+  write_file(folder / "a", "old");
+  const std::string words =
+      (folder / "a").string() + ": is a file, not a folder, and nothing can be put into it";
+  EXPECT_EQ(failure([&] { write_file(folder / "a/b", "new"); }).find(words), 0u);
+  EXPECT_EQ(failure([&] { refuse_file_as_folder(folder / "a"); }).find(words), 0u);
+  EXPECT_EQ(failure([&] { refuse_file_as_folder(folder / "a/b/c"); }).find(words), 0u);
+  EXPECT_EQ(failure([&] { refuse_file_as_folder(folder / "b/c"); }), "no failure");
+}
+
 // A limit on the size of files stands in for a full disk.
 class FileSizeLimit {
  public:
