@@ -109,8 +109,16 @@ static std::vector<fs::path> files_of(const fs::path& input) {
 
 static bool is_rest_file(const fs::path& path) { return is_mesh_file(path) && path.stem() == "rest"; }
 
-static fs::path take_rest_file(std::vector<fs::path>& files) {
+// A pattern that fits the frames seldom fits the rest shape that lies with them.
+static fs::path rest_file_beside(const fs::path& frame) {
+  const fs::path beside = frame.parent_path() / ("rest" + frame.extension().string());
+  std::error_code ignored;
+  return fs::is_regular_file(beside, ignored) ? beside : frame;
+}
+
+static fs::path take_rest_file(const fs::path& first_input, std::vector<fs::path>& files) {
   const auto rest = std::find_if(files.begin(), files.end(), is_rest_file);
+  if (rest == files.end() && is_pattern(first_input)) return rest_file_beside(files.front());
   if (rest == files.end() || files.size() == 1) return files.front();
   const fs::path found = *rest;
   files.erase(rest);
@@ -123,7 +131,7 @@ MeshSequence open_mesh_sequence(const std::vector<std::string>& inputs, const st
     const auto files = files_of(input);
     sequence.files.insert(sequence.files.end(), files.begin(), files.end());
   }
-  const fs::path rest_found = take_rest_file(sequence.files);
+  const fs::path rest_found = take_rest_file(inputs.front(), sequence.files);
   sequence.rest_file = rest_file.empty() ? rest_found : fs::path(rest_file);
   sequence.rest = read_polygons(sequence.rest_file);
   return sequence;

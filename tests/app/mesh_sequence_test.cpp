@@ -60,6 +60,7 @@ TEST_F(MeshSequenceFiles, ARestShapeAmongThemIsNoFrame) {
   EXPECT_EQ(sequence.files.size(), 1u);
   EXPECT_EQ(sequence.rest_file.filename(), "rest.obj");
   EXPECT_EQ(open_mesh_sequence({path("a.obj")}, "").rest_file.filename(), "a.obj");
+  EXPECT_EQ(open_mesh_sequence({path("a*.obj")}, "").rest_file.filename(), "rest.obj");
   EXPECT_EQ(open_mesh_sequence({path("a.obj")}, path("rest.obj")).rest_file.filename(), "rest.obj");
 }
 

@@ -191,6 +191,7 @@ TEST_F(Verify, CertifiesWhatWasExportedWithColliders) {
     const Finished finished = run_drape({"verify", run + "/" + format});
     EXPECT_EQ(finished.exit_status, 0) << finished.err;
     EXPECT_TRUE(contains(finished.out, "\ncertified: 3 frames\n")) << finished.out;
+    EXPECT_EQ(run_drape({"verify", run + "/" + format + "/frame_####." + format}).exit_status, 0);
   }
 }
 
