@@ -57,17 +57,13 @@ constexpr std::size_t largest_patch = 1300;
 // mean, so that one sliver does not make a whole cloth slow.
 static std::vector<double> counting_lengths(const Sheet& sheet) {
   constexpr double least_share = 0.25;
-  std::vector<double> sums(sheet.materials.size(), 0.0), counts(sheet.materials.size(), 0.0);
+  const std::vector<double> means = mean_edge_lengths(sheet);
   std::vector<double> shortest(sheet.materials.size(), std::numeric_limits<double>::infinity());
   for (const Edge& edge : sheet.topology.edges) {
     const int material = sheet.triangle_materials[edge.triangles[0]];
-    const double length = rest_length(sheet, edge);
-    sums[material] += length;
-    counts[material] += 1;
-    shortest[material] = std::min(shortest[material], length);
+    shortest[material] = std::min(shortest[material], rest_length(sheet, edge));
   }
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    shortest[i] = std::max(shortest[i], least_share * sums[i] / std::max(counts[i], 1.0));
+  for (std::size_t i = 0; i < means.size(); ++i) shortest[i] = std::max(shortest[i], least_share * means[i]);
   return shortest;
 }
 

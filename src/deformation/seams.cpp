@@ -4,12 +4,10 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/same_time.h"
 #include "deformation/coloring.h"
 
 namespace drape {
-
-// Times are multiples of a frame's duration: what differs by rounding is the same frame.
-static constexpr double same_time = 1e-9;
 
 SeamStage build_seams(int vertex_count, const std::vector<Seam>& seams) {
   std::vector<std::array<int, 2>> vertices;

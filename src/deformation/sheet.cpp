@@ -1,5 +1,7 @@
 #include "deformation/sheet.h"
 
+#include <algorithm>
+
 namespace drape {
 
 double rest_area(const Sheet& sheet, int triangle) {
@@ -12,10 +14,15 @@ double rest_length(const Sheet& sheet, const Edge& edge) {
   return (sheet.rest_positions[edge.vertices[1]] - sheet.rest_positions[edge.vertices[0]]).norm();
 }
 
-double mean_edge_length(const Sheet& sheet) {
-  double sum = 0;
-  for (const Edge& edge : sheet.topology.edges) sum += rest_length(sheet, edge);
-  return sum / static_cast<double>(sheet.topology.edges.size());
+std::vector<double> mean_edge_lengths(const Sheet& sheet) {
+  std::vector<double> sums(sheet.materials.size(), 0.0), counts(sheet.materials.size(), 0.0);
+  for (const Edge& edge : sheet.topology.edges) {
+    const int material = sheet.triangle_materials[edge.triangles[0]];
+    sums[material] += rest_length(sheet, edge);
+    counts[material] += 1;
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= std::max(counts[i], 1.0);
+  return sums;
 }
 
 double triangle_mass(const Sheet& sheet, int triangle) {

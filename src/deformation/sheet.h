@@ -38,7 +38,7 @@ double triangle_mass(const Sheet& sheet, int triangle);
 
 double rest_area(const Sheet& sheet, int triangle);
 double rest_length(const Sheet& sheet, const Edge& edge);
-double mean_edge_length(const Sheet& sheet);  // at rest, in m
+std::vector<double> mean_edge_lengths(const Sheet& sheet);  // of each material, at rest, in m
 
 inline const ElasticMaterial& material_of(const Sheet& sheet, int triangle) {
   return sheet.materials[sheet.triangle_materials[triangle]];

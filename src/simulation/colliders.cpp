@@ -63,6 +63,7 @@ std::vector<Vec3> collider_points(const ColliderInput& collider, double time) {
 
 double largest_shape_lag(const std::vector<ColliderInput>& colliders, double time,
                          const std::vector<Vec3>& points) {
+  if (std::none_of(colliders.begin(), colliders.end(), deforms)) return 0;
   double largest = 0;
   auto point = points.begin();
   for (const ColliderInput& collider : colliders) {

@@ -3,17 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/same_time.h"
 #include "simulation/come_after.h"
 
 namespace drape {
 namespace {
-
-// Times are multiples of a frame's duration: what differs by rounding is the same frame.
-constexpr double same_time = 1e-9;
-
-bool holds(const Pin& pin, double time) {
-  return time > pin.from - same_time && (!pin.until || time < *pin.until - same_time);
-}
 
 Vec3 into_frame(const RigidPose& frame, const Vec3& point) {
   return frame.rotation.transpose() * (point - frame.translation);
@@ -29,6 +23,10 @@ RigidPose way_since_grab(const Pin& pin, double time, std::span<const Vec3> grab
 }
 
 }  // namespace
+
+bool holds(const Pin& pin, double time) {
+  return time > pin.from - same_time && (!pin.until || time < *pin.until - same_time);
+}
 
 std::vector<Pin> build_pins(const std::vector<ClothInput>& cloths) {
   std::vector<Pin> pins;

@@ -23,6 +23,8 @@ struct Pin {
 
 std::vector<Pin> build_pins(const std::vector<ClothInput>& cloths);
 
+bool holds(const Pin& pin, double time);
+
 // One flag for each of `count` vertices: whether a pin holds it at `time` (s).
 std::vector<char> pinned_vertices(const std::vector<Pin>& pins, std::size_t count, double time);
 

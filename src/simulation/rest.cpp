@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
+#include "core/same_time.h"
 #include "simulation/colliders.h"
 #include "simulation/wind.h"
 
 namespace drape {
 namespace {
-
-constexpr double same_time = 1e-9;  // s: what differs by rounding
 
 // From `begin` to `end`, in seconds.
 struct Frame {
@@ -44,14 +45,16 @@ bool is_moving_collider(const World& world, const State& state, const Frame& fra
          largest_shape_lag(colliders, frame.begin, state.collider_points) > same_place;
 }
 
+// One that takes over from another changes nothing but what it grabs.
+bool changes(const Pin& pin, const Frame& frame) {
+  const auto is_now = [&](double time) { return std::abs(time - frame.begin) < same_time; };
+  if (is_now(pin.from) || (pin.until && is_now(*pin.until))) return true;
+  return pin.motion && holds(pin, frame.begin) && moves_between(*pin.motion, frame.begin, frame.end);
+}
+
 bool is_changing_pin(const World& world, const Frame& frame) {
-  const std::size_t count = world.masses.size();
   return std::any_of(world.pins.begin(), world.pins.end(),
-                     [&](const Pin& pin) {
-                       return pin.motion && moves_between(*pin.motion, frame.begin, frame.end);
-                     }) ||
-         pinned_vertices(world.pins, count, frame.begin - world.input.frame_duration) !=
-             pinned_vertices(world.pins, count, frame.begin);
+                     [&](const Pin& pin) { return changes(pin, frame); });
 }
 
 bool is_drawing_seam(const World& world, const Frame& frame) {
@@ -59,15 +62,57 @@ bool is_drawing_seam(const World& world, const Frame& frame) {
                      [&](const Seam& seam) { return is_within(frame, seam.from, seam.close); });
 }
 
-bool has_moved(const World& world, const State& state) {
-  constexpr double share = 0.02;  // of an edge
-  const double most = share * mean_edge_length(world.sheet);
-  for (std::size_t v = 0; v < state.positions.size(); ++v)
-    if ((state.positions[v] - state.still_positions[v]).norm() > most) return true;
-  return false;
+// In frames; three at least, or what swings in time with them would look still.
+int quarter_of_a_second(const World& world) {
+  constexpr int least = 3;
+  return std::max(least, static_cast<int>(std::ceil(0.25 / world.input.frame_duration - same_time)));
+}
+
+double largest_way(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
+  double largest = 0;
+  for (std::size_t v = 0; v < from.size(); ++v) largest = std::max(largest, (to[v] - from[v]).squaredNorm());
+  return std::sqrt(largest);
+}
+
+// Whether the way of the last quarter of a second is longer than that of the one before, by more than chance:
+// a sheet that falls over starts as slowly as one that comes to rest ends.
+bool gathers_speed(const World& world, const State& state) {
+  constexpr double chance = 0.01;  // of the way in which points lie still
+  const double last = largest_way(state.halfway_positions, state.positions);
+  return last > chance * world.still_way &&
+         last > largest_way(state.still_positions, state.halfway_positions);
+}
+
+// Whether a piece of cloth has neither a pin nor a contact that would keep it where it is.
+bool is_afloat(const World& world, const State& state) {
+  std::vector<char> is_held(world.geometry.vertex_body.size(), 0);
+  for (const RememberedContact& contact : state.remembered_contacts)
+    for (const int v : contact.vertices) is_held[v] = 1;
+  return std::any_of(world.free_pieces.begin(), world.free_pieces.end(), [&](const FreePiece& piece) {
+    return std::none_of(piece.vertices.begin(), piece.vertices.end(), [&](int v) { return is_held[v] != 0; });
+  });
+}
+
+void begin_anew(State& state) {
+  state.still_positions = state.halfway_positions = state.positions;
+  state.still_since = state.frame;
+}
+
+// The first quarter counts for nothing but the way: what settles in it would hide what gathers speed.
+void pass_quarter(const World& world, int quarters, State& state) {
+  if (quarters == 3 && !gathers_speed(world, state) && !is_afloat(world, state)) return;
+  state.still_positions = std::exchange(state.halfway_positions, state.positions);
+  if (quarters == 3) state.still_since += quarter_of_a_second(world);
 }
 
 }  // namespace
+
+double largest_still_way(const Sheet& sheet) {
+  constexpr double share = 0.02, most = 0.0005;  // of an edge; m
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const double length : mean_edge_lengths(sheet)) shortest = std::min(shortest, length);
+  return std::min(share * shortest, most);
+}
 
 bool is_stirred(const World& world, const State& state) {
   const Frame frame = next_frame(world, state);
@@ -77,17 +122,15 @@ bool is_stirred(const World& world, const State& state) {
 }
 
 bool lies_still(const World& world, const State& state) {
-  constexpr double least_duration = 0.5;  // s
-  constexpr int least_frames = 5;         // or what swings in time with the frames would look still
-  const int frames = state.frame - state.still_since;
-  return world.input.sleep && frames >= least_frames &&
-         frames * world.input.frame_duration > least_duration - same_time;
+  return world.input.sleep && state.frame - state.still_since >= 3 * quarter_of_a_second(world);
 }
 
 void watch_stillness(const World& world, bool stirred, State& state) {
-  if (!stirred && !has_moved(world, state)) return;
-  state.still_positions = state.positions;
-  state.still_since = state.frame;
+  const int quarter = quarter_of_a_second(world), frames = state.frame - state.still_since;
+  if (stirred || largest_way(state.still_positions, state.positions) > world.still_way)
+    begin_anew(state);
+  else if (frames % quarter == 0 && frames <= 3 * quarter)
+    pass_quarter(world, frames / quarter, state);
 }
 
 void stay(const World& world, State& state) {

@@ -23,8 +23,9 @@ struct State {
   std::vector<double> seam_lengths;       // m: how long the threads of all seams were at first; zero before
   std::vector<RememberedContact> remembered_contacts;  // what contacts keep of the last step
   int contacts = 0;                                    // of the last step
-  std::vector<Vec3> still_positions;  // m: the places of the cloths' points at the end of the frame
-  int still_since = 0;                // since which they have lain still (rest.h)
+  int still_since = 0;                                 // frame: cloth has lain still since its end (rest.h)
+  std::vector<Vec3> still_positions;    // m: the places of its points then, or half a second ago
+  std::vector<Vec3> halfway_positions;  // and a quarter of a second after that
 };
 std::uint64_t state_hash(const State& state);
 

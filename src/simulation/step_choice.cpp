@@ -16,6 +16,12 @@ double longest_contact_step(const SimulationInput& input) {
   return std::sqrt(2 * 0.1 * thinnest / std::max(input.gravity.norm(), 1e-9));
 }
 
+double mean_edge_length(const Sheet& sheet) {
+  double sum = 0;
+  for (const Edge& edge : sheet.topology.edges) sum += rest_length(sheet, edge);
+  return sum / static_cast<double>(sheet.topology.edges.size());
+}
+
 // A collider goes by no more than a quarter of an edge: cloth that it hits is to follow it as a whole, not by
 // the few edges that it has passed in a step.
 double longest_collider_step(const SimulationInput& input, const Sheet& sheet) {

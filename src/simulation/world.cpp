@@ -7,6 +7,7 @@
 #include "mesh/topology.h"
 #include "simulation/colliders.h"
 #include "simulation/pressure.h"
+#include "simulation/rest.h"
 #include "simulation/sewing.h"
 #include "simulation/strain_limits.h"
 
@@ -141,6 +142,7 @@ World build_world(SimulationInput input) {
   world.steps_per_frame = choose_steps(world.input, world.sheet, world.masses).per_frame;
   world.step = world.input.frame_duration / world.steps_per_frame;
   world.steps_per_air = std::max(1, static_cast<int>(longest_air_interval(world.input) / world.step + 1e-9));
+  world.still_way = largest_still_way(world.sheet);
   world.pressures = triangle_pressures(world.input.cloths);
   world.pins = build_pins(world.input.cloths);
   build_geometry(world);
@@ -161,7 +163,7 @@ State initial_state(const World& world) {
     state.collider_times.push_back(0);
     state.collider_poses.push_back(collider_pose(world.input.colliders[c], 0));
   }
-  state.still_positions = state.positions;
+  state.still_positions = state.halfway_positions = state.positions;
   grab(world.pins, 0, state);
   start_seams(world.seams, 0, state.positions, state.seam_lengths);
   return state;

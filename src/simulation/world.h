@@ -22,6 +22,7 @@ struct World {
   double step = 0;  // seconds
   // Air changes slowly, and costs as much as a sweep of clusters: its forces are felt anew only so often.
   int steps_per_air = 1;
+  double still_way = 0;  // m: see rest.h
 
   Sheet sheet;                          // all cloths as one mesh
   std::vector<double> masses;           // kg, of each point

@@ -23,6 +23,7 @@ ClothInput standing_sheet(double side, int points, double height) {
 
 SimulationInput simulate_alone(ClothInput cloth) {
   SimulationInput input;
+  input.sleep = false;
   input.cloths.push_back(std::move(cloth));
   return input;
 }

@@ -12,6 +12,7 @@ ClothInput sheet(double side, int points, double height);
 // The same, standing in the plane z = 0 with its lower edge at y = `height`.
 ClothInput standing_sheet(double side, int points, double height);
 
+// It does not sleep: tests look at motion to its very end.
 SimulationInput simulate_alone(ClothInput cloth);
 
 ColliderInput ground();

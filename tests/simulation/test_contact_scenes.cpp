@@ -51,6 +51,7 @@ TEST(ContactScenes, AHeapOfFoldsComesToRest) {
 
 TEST(ContactScenes, AStackOfSheetsComesToRest) {
   SimulationInput input;
+  input.sleep = false;
   for (int layer = 0; layer < 5; ++layer) {
     input.cloths.push_back(sheet(0.3, 12, 0.01 + 0.012 * layer));
     for (Vec3& p : input.cloths.back().start_positions) p += layer * Vec3(0.007, 0, 0.003);
