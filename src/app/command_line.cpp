@@ -227,8 +227,8 @@ static void add_verify(Subcommands& commands, Options& options) {
   add_frames(command, options, "Which frames: 1-100, 1-100x5, 1,5,9-12");
   command
       .add_option("--rest", options.rest_file,
-                  "The mesh whose edges are unstretched; rest.obj in the folder, or the first, by default. "
-                  "Faces that a file has after the faces of this mesh are colliders")
+                  "The mesh whose edges are unstretched; by default rest.obj beside the frames, if it has "
+                  "their faces, or the first. Faces that a file has after those of this mesh are colliders")
       ->type_name("FILE");
   command.add_flag("--json", options.as_json, "One JSON object in place of the table");
   add_threads(command, options);

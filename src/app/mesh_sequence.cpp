@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 
 #include "core/error.h"
 #include "mesh/mesh_file.h"
@@ -109,32 +110,12 @@ static std::vector<fs::path> files_of(const fs::path& input) {
 
 static bool is_rest_file(const fs::path& path) { return is_mesh_file(path) && path.stem() == "rest"; }
 
-// A pattern that fits the frames seldom fits the rest shape that lies with them.
-static fs::path rest_file_beside(const fs::path& frame) {
-  const fs::path beside = frame.parent_path() / ("rest" + frame.extension().string());
-  std::error_code ignored;
-  return fs::is_regular_file(beside, ignored) ? beside : frame;
-}
-
-static fs::path take_rest_file(const fs::path& first_input, std::vector<fs::path>& files) {
+static std::optional<fs::path> take_rest_file(std::vector<fs::path>& files) {
   const auto rest = std::find_if(files.begin(), files.end(), is_rest_file);
-  if (rest == files.end() && is_pattern(first_input)) return rest_file_beside(files.front());
-  if (rest == files.end() || files.size() == 1) return files.front();
+  if (rest == files.end() || files.size() == 1) return std::nullopt;
   const fs::path found = *rest;
   files.erase(rest);
   return found;
-}
-
-MeshSequence open_mesh_sequence(const std::vector<std::string>& inputs, const std::string& rest_file) {
-  MeshSequence sequence;
-  for (const std::string& input : inputs) {
-    const auto files = files_of(input);
-    sequence.files.insert(sequence.files.end(), files.begin(), files.end());
-  }
-  const fs::path rest_found = take_rest_file(inputs.front(), sequence.files);
-  sequence.rest_file = rest_file.empty() ? rest_found : fs::path(rest_file);
-  sequence.rest = read_polygons(sequence.rest_file);
-  return sequence;
 }
 
 // Whether it has the faces at rest, and after them others that share no point with them.
@@ -150,9 +131,46 @@ static bool has_colliders(const PolygonSoup& rest, const PolygonSoup& soup) {
                      soup.corner_points.end(), [&](int corner) { return corner >= first; });
 }
 
+static bool fits(const PolygonSoup& rest, const PolygonSoup& soup) {
+  return have_same_faces(soup, rest) || has_colliders(rest, soup);
+}
+
+// Nobody has named it: where it is of something else, or no mesh, it has no say.
+static bool is_rest_of(const fs::path& rest, const fs::path& frame) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(rest, ignored)) return false;
+  const PolygonSoup soup = read_polygons(frame);
+  try {
+    return fits(read_polygons(rest), soup);
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+// Where frames are named, by a pattern or one by one, the rest shape that lies with them is seldom named too.
+static fs::path find_rest_file(std::vector<fs::path>& files, const std::string& named) {
+  const std::optional<fs::path> among = take_rest_file(files);
+  if (!named.empty()) return named;
+  if (among) return *among;
+  const fs::path& first = files.front();
+  const fs::path beside = first.parent_path() / ("rest" + first.extension().string());
+  return is_rest_of(beside, first) ? beside : first;
+}
+
+MeshSequence open_mesh_sequence(const std::vector<std::string>& inputs, const std::string& rest_file) {
+  MeshSequence sequence;
+  for (const std::string& input : inputs) {
+    const auto files = files_of(input);
+    sequence.files.insert(sequence.files.end(), files.begin(), files.end());
+  }
+  sequence.rest_file = find_rest_file(sequence.files, rest_file);
+  sequence.rest = read_polygons(sequence.rest_file);
+  return sequence;
+}
+
 static void check_same_faces(const MeshSequence& sequence, const fs::path& file, const PolygonSoup& soup) {
   const PolygonSoup& rest = sequence.rest;
-  if (have_same_faces(soup, rest) || has_colliders(rest, soup)) return;
+  if (fits(rest, soup)) return;
   const bool same_size =
       soup.points.size() == rest.points.size() && soup.polygon_ends.size() == rest.polygon_ends.size();
   const std::string what =

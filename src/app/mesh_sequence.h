@@ -22,9 +22,9 @@ bool names_meshes(const std::vector<std::string>& inputs);
 // The files that are meant: files themselves, folders (all OBJ and PLY files in them), and patterns in which
 // # stands for one digit, %04d for digits and * for anything. Those of a folder or a pattern come in the
 // order of the numbers in their names. Rest lengths are those of `rest_file` or, where it is empty, of a file
-// "rest.obj" or "rest.ply" among them, which then is no frame, or in the folder of a pattern, or of the first
-// frame. Throws FileError where nothing is found or a file can't be read, InputError (exit status 3) where
-// one is no mesh.
+// "rest.obj" or "rest.ply" among them, which then is no frame, or of one beside the first frame that has its
+// faces, or of the first frame. Throws FileError where nothing is found or a file can't be read, InputError
+// (exit status 3) where one is no mesh.
 MeshSequence open_mesh_sequence(const std::vector<std::string>& inputs, const std::string& rest_file);
 
 // A frame of the sequence. Points are one vertex where they are at one place both at rest and in this frame:

@@ -23,12 +23,13 @@ class MeshSequenceFiles : public testing::Test {
   void write_all(const std::vector<std::string>& all) {
     for (const std::string& name : all) folder.write(name, triangle);
   }
-  // What is wrong with a second file after a first one.
-  std::string complaint(const std::string& second) {
+  // What is wrong with a second file after a first one, or where a rest shape is named.
+  std::string complaint(const std::string& second, const std::string& rest = "") {
+    const std::string named = rest.empty() ? "" : folder.write("rest.obj", rest).string();
     const std::string a = folder.write("a.obj", triangle).string(),
                       b = folder.write("b.obj", second).string();
     try {
-      const MeshSequence sequence = open_mesh_sequence({a, b}, "");
+      const MeshSequence sequence = open_mesh_sequence({a, b}, named);
       read_mesh_frame(sequence, b);
     } catch (const InputError& error) {
       EXPECT_EQ(error.exit_status(), 3);
@@ -59,9 +60,23 @@ TEST_F(MeshSequenceFiles, ARestShapeAmongThemIsNoFrame) {
   const MeshSequence sequence = open_mesh_sequence({folder.path().string()}, "");
   EXPECT_EQ(sequence.files.size(), 1u);
   EXPECT_EQ(sequence.rest_file.filename(), "rest.obj");
-  EXPECT_EQ(open_mesh_sequence({path("a.obj")}, "").rest_file.filename(), "a.obj");
+  EXPECT_EQ(open_mesh_sequence({path("a.obj")}, "").rest_file.filename(), "rest.obj");
   EXPECT_EQ(open_mesh_sequence({path("a*.obj")}, "").rest_file.filename(), "rest.obj");
   EXPECT_EQ(open_mesh_sequence({path("a.obj")}, path("rest.obj")).rest_file.filename(), "rest.obj");
+}
+
+// Many a folder has a file of that name that is of something else.
+TEST_F(MeshSequenceFiles, HaveNoRestShapeBesideThemThatDoesNotFit) {
+  write_all({"a.obj", "b.obj"});
+  for (const char* other : {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 3 2\n", "v 0 zero 0\n"}) {
+    folder.write("rest.obj", other);
+    EXPECT_EQ(open_mesh_sequence({path("a*.obj"), path("b.obj")}, "").rest_file.filename(), "a.obj") << other;
+    EXPECT_EQ(open_mesh_sequence({path("b.obj"), path("a.obj")}, "").rest_file.filename(), "b.obj") << other;
+  }
+  EXPECT_THROW(open_mesh_sequence({path("a.obj")}, path("rest.obj")), InputError);
+  EXPECT_NE(complaint(triangle, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 3 2\n")
+                .find("b.obj: the corners of its faces are not those of " + path("rest.obj")),
+            std::string::npos);
 }
 
 TEST_F(MeshSequenceFiles, AreErrorsWithAWayOutWhereThereAreNone) {

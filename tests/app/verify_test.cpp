@@ -191,7 +191,11 @@ TEST_F(Verify, CertifiesWhatWasExportedWithColliders) {
     const Finished finished = run_drape({"verify", run + "/" + format});
     EXPECT_EQ(finished.exit_status, 0) << finished.err;
     EXPECT_TRUE(contains(finished.out, "\ncertified: 3 frames\n")) << finished.out;
-    EXPECT_EQ(run_drape({"verify", run + "/" + format + "/frame_####." + format}).exit_status, 0);
+    const std::string frame = run + "/" + format + "/frame_";
+    EXPECT_EQ(run_drape({"verify", frame + "####." + format}).exit_status, 0);
+    const Finished named = run_drape({"verify", frame + "0001." + format, frame + "0002." + format});
+    EXPECT_EQ(named.exit_status, 0) << named.err;
+    EXPECT_TRUE(contains(named.out, "\ncertified: 2 frames\n")) << named.out;
   }
 }
 
