@@ -66,40 +66,46 @@ void grab(const std::vector<Pin>& pins, double time, State& state) {
 
 namespace {
 
-// Calls visit(vertex, place at the start, place at the end) for all that the pins hold at `begin`.
+// Calls visit(vertex, place at the start, place at the end) for all that the pin holds.
 template <typename Visit>
-void for_each_held(const std::vector<Pin>& pins, double begin, double end, const State& state,
+void for_each_held(const Pin& pin, double begin, double end, const State& state,
                    std::span<const BodyMotion> colliders, const Visit& visit) {
-  for (const Pin& pin : pins) {
-    if (!holds(pin, begin)) continue;
-    const auto grabs = std::span(state.grabs).subspan(pin.first_grab, pin.vertices.size());
-    BodyMotion way;
-    if (pin.collider)
-      way = colliders[*pin.collider];
-    else if (pin.motion)
-      way = {way_since_grab(pin, begin, grabs), way_since_grab(pin, end, grabs)};
-    const bool rests = !pin.motion && !pin.collider;
-    for (std::size_t i = 0; i < grabs.size(); ++i)
-      visit(pin.vertices[i], rests ? grabs[i] : way.start(grabs[i]), rests ? grabs[i] : way.end(grabs[i]));
-  }
+  const auto grabs = std::span(state.grabs).subspan(pin.first_grab, pin.vertices.size());
+  BodyMotion way;
+  if (pin.collider)
+    way = colliders[*pin.collider];
+  else if (pin.motion)
+    way = {way_since_grab(pin, begin, grabs), way_since_grab(pin, end, grabs)};
+  const bool rests = !pin.motion && !pin.collider;
+  for (std::size_t i = 0; i < grabs.size(); ++i)
+    visit(pin.vertices[i], rests ? grabs[i] : way.start(grabs[i]), rests ? grabs[i] : way.end(grabs[i]));
 }
+
+// A pin that begins to hold at the end of a frame grabs only when the next one starts.
+bool has_grabbed(const Pin& pin, double time) { return time > pin.from + same_time; }
 
 }  // namespace
 
 void place_pinned(const std::vector<Pin>& pins, double begin, double end, const State& state,
                   std::span<const BodyMotion> colliders, std::vector<Vec3>& x) {
-  for_each_held(pins, begin, end, state, colliders, [&](int v, const Vec3& pin_start, const Vec3& pin_end) {
-    x[v] = come_after(x[v], pin_start, pin_end, end - begin);
-  });
+  for (const Pin& pin : pins) {
+    if (!holds(pin, begin)) continue;
+    for_each_held(pin, begin, end, state, colliders, [&](int v, const Vec3& pin_start, const Vec3& pin_end) {
+      x[v] = come_after(x[v], pin_start, pin_end, end - begin);
+    });
+  }
 }
 
 double largest_pin_lag(const std::vector<Pin>& pins, double time, const State& state) {
   std::vector<BodyMotion> colliders;
   for (const RigidPose& pose : state.collider_poses) colliders.push_back({pose, pose});
   double largest = 0;
-  for_each_held(pins, time, time, state, colliders, [&](int v, const Vec3& place, const Vec3&) {
-    largest = std::max(largest, (state.positions[v] - place).norm());
-  });
+  for (const Pin& pin : pins) {
+    if (!holds(pin, time) || !has_grabbed(pin, time)) continue;
+    for_each_held(pin, time, time, state, colliders, [&](int v, const Vec3& place, const Vec3&) {
+      largest = std::max(largest, (state.positions[v] - place).norm());
+    });
+  }
   return largest;
 }
 

@@ -38,7 +38,8 @@ void grab(const std::vector<Pin>& pins, double time, State& state);
 void place_pinned(const std::vector<Pin>& pins, double begin, double end, const State& state,
                   std::span<const BodyMotion> colliders, std::vector<Vec3>& x);
 
-// How far the pinned vertex is that is farthest from where its pin would have it at `time` (s), in m.
+// How far the pinned vertex is that is farthest from where its pin would have it at `time` (s), in m. To be
+// called at the end of each frame: a pin that begins to hold then has grabbed nothing yet, and is left out.
 double largest_pin_lag(const std::vector<Pin>& pins, double time, const State& state);
 
 }  // namespace drape

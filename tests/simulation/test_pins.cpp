@@ -49,6 +49,18 @@ TEST(Pins, GrabVerticesWhereTheyAreThen) {
   EXPECT_LT((simulation.state().positions[0] - grabbed - Vec3(0, 0.5, 0)).norm(), 1e-9);
 }
 
+// What it does not hold yet it cannot be late with, wherever the cloth is.
+TEST(Pins, ThatGrabLaterHaveNoLag) {
+  SimulationInput input = falling_sheet();
+  input.colliders.push_back(turning_ball());
+  const double from = 5 * input.frame_duration;
+  input.cloths[0].pins = {
+      {{0}, {}, {}, from}, {{7}, turning_ball().motion, {}, from}, {{63}, {}, {}, from, 0}};
+  Simulation simulation(input);
+  for (int frame = 1; frame <= 10; ++frame)
+    EXPECT_LT(simulation.advance_frame().largest_pin_lag, 1e-9) << "frame " << frame;
+}
+
 TEST(Pins, LetGoOfWhatTheyGrabbed) {
   SimulationInput input = falling_sheet();
   input.cloths[0].pins.push_back({{0}, {}, 10 * input.frame_duration, 5 * input.frame_duration});
