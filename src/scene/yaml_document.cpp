@@ -208,12 +208,13 @@ std::string syntax_message(std::string_view text, const YAML::Exception& error) 
 
 bool leaves_bracket_open(std::string_view text, const YAML::Exception& error) {
   return error.msg == "end of map flow not found" || error.msg == "end of sequence flow not found" ||
-         is_at_end(text, error);
+         error.msg == "illegal flow end" || is_at_end(text, error);
 }
 
 // The parser finds on a later line that a colour without quotes took a bracket's end into its comment.
 std::optional<BareColor> color_at_fault(std::string_view text, const YAML::Exception& error) {
-  return leaves_bracket_open(text, error) ? last_bare_color(text, error.mark.line + 1) : std::nullopt;
+  if (!leaves_bracket_open(text, error)) return std::nullopt;
+  return open_bare_color(text.substr(0, static_cast<std::size_t>(error.mark.pos)));
 }
 
 void add_syntax_problem(std::string_view text, const std::shared_ptr<const std::string>& file,

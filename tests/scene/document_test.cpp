@@ -125,6 +125,11 @@ TEST(Document, PointsAtAColorWithoutQuotesThatLeavesABracketOpen) {
   EXPECT_EQ(words_of("look: {color: #ff0000}\nb: {c: 1}\n"), "a.yaml:1:15: " + words + "\"#ff0000\"");
   EXPECT_EQ(words_of("a: 1\nlook: {color: #f00, sheen: 1}\n"), "a.yaml:2:15: " + words + "\"#f00\"");
   EXPECT_EQ(words_of("a: [\"#abc\", #00ff00]\nb: 1\n"), "a.yaml:1:13: " + words + "\"#00ff00\"");
+  EXPECT_EQ(words_of("a: {pattern: \"x, #y\", color: #f00}\nb: 1\n"), "a.yaml:1:30: " + words + "\"#f00\"");
+  EXPECT_EQ(words_of("a: {n: 'it''s, #y', m: \"\\\", #z\", color: #f00}\nb: 1\n"),
+            "a.yaml:1:41: " + words + "\"#f00\"");
+  EXPECT_EQ(words_of("a: [\n  {color: #f00},\n  {color: \"#0f0\"}\n]\n"),
+            "a.yaml:2:11: " + words + "\"#f00\"");
 }
 
 TEST(Document, BlamesNoOtherCommentForAnOpenBracket) {
@@ -132,6 +137,10 @@ TEST(Document, BlamesNoOtherCommentForAnOpenBracket) {
   EXPECT_EQ(words_of("a: {b: 1 #abc\nc: 2\n"), "a.yaml:2:1" + open);      // after the value
   EXPECT_EQ(words_of("a: {b: \"x #abc\"\nc: 2\n"), "a.yaml:2:1" + open);  // in quotes
   EXPECT_EQ(words_of("a: {b: #red\nc: 2\n"), "a.yaml:2:2" + open);        // no colour
+  EXPECT_EQ(words_of("name: \"red, #abc is nice\"\na: {b: 1\nc: 2\n"), "a.yaml:3:2" + open);
+  EXPECT_EQ(words_of("cloths:  #add more, please\n  a: {b: 1\n  c: 2\n"), "a.yaml:3:4" + open);
+  EXPECT_EQ(words_of("back: #f00\nb: 1\nc: 2\nd: 3\na: {b: 1 c: 2}\n"), "a.yaml:5:11" + open);
+  EXPECT_EQ(words_of("a: {b: 1, c: #f00\n}\nd: {e: 1\nf: 2\n"), "a.yaml:4:2" + open);  // closed
 }
 
 TEST(Document, QuotesWithoutCuttingACharacter) {
