@@ -268,18 +268,6 @@ static void add_subcommands(Subcommands& commands, Options& options) {
   add_diff(commands, options);
 }
 
-// CLI11 answers --help and --version by an exception too: with an exit code of 0.
-static void record_refusal(const CLI::App& app, const CLI::ParseError& refusal, CommandLine& result) {
-  std::ostringstream out;
-  std::ostringstream err;
-  app.exit(refusal, out, err);
-  if (refusal.get_exit_code() == 0) {
-    result.answer = out.str();
-  } else {
-    result.error = "drape: error: " + err.str();
-  }
-}
-
 // CLI11 has no words of its own for a mistyped command.
 static std::string unknown_command(const CLI::App& app, int argument_count, const char* const* arguments) {
   if (argument_count < 2 || arguments[1][0] == '-') return "";
@@ -291,28 +279,37 @@ static std::string unknown_command(const CLI::App& app, int argument_count, cons
   return fmt::format("drape: error: there is no command '{}'; the commands are {}\n", arguments[1], names);
 }
 
-static const CLI::App* find_command(const CLI::App& app, const std::string& name) {
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    if (command->get_name() == name) return command;
-  }
-  return nullptr;
-}
-
 static bool is_frames_flag(std::string_view word) {
-  return word == "-f" || word == "--frames" || word.starts_with("--frames=");
+  return word.starts_with("-f") || word == "--frames" || word.starts_with("--frames=");
 }
 
-// CLI11 would take what follows the flag for another scene. Which frames a scene has is a key of its own.
-static std::string misplaced_frames(const CLI::App& app, int argument_count, const char* const* arguments) {
-  if (argument_count < 2) return "";
-  const CLI::App* command = find_command(app, arguments[1]);
-  const auto takes = [&](const char* flag) { return command->get_option_no_throw(flag) != nullptr; };
-  if (command == nullptr || takes("--frames") || !takes("--define")) return "";
-  if (std::none_of(arguments + 2, arguments + argument_count, is_frames_flag)) return "";
+// CLI11 takes what follows the flag for another scene. Which frames a scene has is a key of its own.
+static bool has_misplaced_frames(const CLI::App& command) {
+  const auto takes = [&](const char* flag) { return command.get_option_no_throw(flag) != nullptr; };
+  const std::vector<std::string> unknown = command.remaining();
+  return takes("--define") && !takes("--frames") &&
+         std::any_of(unknown.begin(), unknown.end(), is_frames_flag);
+}
+
+static std::string words_of(const CLI::App& app, const std::string& refusal) {
+  const auto commands = app.get_subcommands();
+  if (commands.empty() || !has_misplaced_frames(*commands.front())) return "drape: error: " + refusal;
   return fmt::format(
       "drape: error: '{}' has no --frames, since it is for all frames of the scene: set these with "
       "-D time.frames=1-N\n",
-      command->get_name());
+      commands.front()->get_name());
+}
+
+// CLI11 answers --help and --version by an exception too: with an exit code of 0.
+static void record_refusal(const CLI::App& app, const CLI::ParseError& refusal, CommandLine& result) {
+  std::ostringstream out;
+  std::ostringstream err;
+  app.exit(refusal, out, err);
+  if (refusal.get_exit_code() == 0) {
+    result.answer = out.str();
+  } else {
+    result.error = words_of(app, err.str());
+  }
 }
 
 CommandLine parse_command_line(int argument_count, const char* const* arguments) {
@@ -324,7 +321,6 @@ CommandLine parse_command_line(int argument_count, const char* const* arguments)
   Subcommands commands(app, result.options);
   add_subcommands(commands, result.options);
   result.error = unknown_command(app, argument_count, arguments);
-  if (result.error.empty()) result.error = misplaced_frames(app, argument_count, arguments);
   if (!result.error.empty()) return result;
   try {
     app.parse(argument_count, arguments);

@@ -52,6 +52,10 @@ TEST(CommandLine, SaysHowToSetTheFramesWhereNoFlagDoes) {
   EXPECT_EQ(parse({"run", "a.yaml", "--frames", "5"}).error, "drape: error: 'run'" + words);
   EXPECT_EQ(parse({"simulate", "-f", "5", "a.yaml"}).error, "drape: error: 'simulate'" + words);
   EXPECT_EQ(parse({"encode", "a.yaml", "--frames=5"}).error, "drape: error: 'encode'" + words);
+  EXPECT_EQ(parse({"run", "a.yaml", "-f5"}).error, "drape: error: 'run'" + words);
+  EXPECT_NE(parse({"run", "--help", "-f"}).answer.find("drape run"), std::string::npos);
+  EXPECT_EQ(parse({"run", "-o", "-f", "a.yaml"}).error.find("time.frames"), std::string::npos);
+  EXPECT_EQ(parse({"run", "a.yaml", "-x"}).error.find("time.frames"), std::string::npos);
   EXPECT_EQ(parse({"render", "a.yaml", "--frames", "5"}).error, "");
   EXPECT_EQ(parse({"diff", "a.png", "b.png", "-f"}).error.find("time.frames"), std::string::npos);
 }
