@@ -78,7 +78,7 @@ static void print_estimate(const SceneDescription& scene, const SceneSize& size)
                            1e-6 * (bytes_per_context + bytes_per_pixel * pixels)));
 }
 
-// Judged as `simulate` judges it before it begins.
+// Judged as `simulate` judges it before it begins: of a large scene that takes a while.
 static void print_start(const SceneDescription& scene) {
   const std::vector<Problem> problems = start_problems(scene, find_start(scene));
   if (problems.empty()) return print_result("start      nothing is through anything");
@@ -91,11 +91,11 @@ int info_command(const Options& options, const Console&) {
   print_result(fmt::format("scene      {} ({})", run.scene.name, run.scene.file));
   print_cloths(run.scene);
   print_result(fmt::format("colliders  {}", run.scene.colliders.size()));
-  print_start(run.scene);
   print_time(run.scene, size);
   print_estimate(run.scene, size);
   print_result(fmt::format("output     {}", run.folder.root.string()));
   print_result(fmt::format("simulated  {} frames so far", run.manifest.frames.size()));
+  print_start(run.scene);
   return static_cast<int>(ExitStatus::done);
 }
 

@@ -181,6 +181,7 @@ TEST_F(RefusedStart, IsToldByInfo) {
       std::string::npos)
       << finished.out;
   EXPECT_NE(finished.out.find(" more triangles; move one of them with `place`\n"), std::string::npos);
+  EXPECT_LT(finished.out.find("\nsimulated  "), finished.out.find("\nstart      ")) << "what is quick to say";
   EXPECT_NE(
       info("cloths.napkin.place.at=[0, 0.45, 0]").out.find("\nstart      nothing is through anything\n"),
       std::string::npos);
