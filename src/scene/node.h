@@ -9,7 +9,8 @@
 namespace drape {
 
 // Where something stands in a text; lines and columns (of bytes) count from 1. Line 0: in no text, but in
-// what `file` names as a whole (a value of the command line).
+// what `file` names as a whole (a value of the command line); there the column is a number that tells its
+// parts from each other.
 struct Place {
   std::shared_ptr<const std::string> file;
   int line = 0;

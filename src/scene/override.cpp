@@ -20,11 +20,13 @@ std::vector<std::string> split_path(std::string_view path) {
   return names;
 }
 
-// The whole value stands on the command line, which has no lines.
-void set_place(Node& node, const Place& place) {
+// The whole value stands on the command line, which has no lines. The parts are numbered.
+void set_place(Node& node, Place& place) {
+  ++place.column;
   node.place = place;
   for (Node& item : node.items) set_place(item, place);
   for (MapEntry& entry : node.entries) {
+    ++place.column;
     entry.place = place;
     set_place(entry.value, place);
   }
@@ -59,7 +61,8 @@ std::optional<Node> parse_value(std::string_view text, const Place& place, Probl
     problems.add(place, "the value is not YAML");
     return std::nullopt;
   }
-  set_place(*value, place);
+  Place part = place;
+  set_place(*value, part);
   return value;
 }
 

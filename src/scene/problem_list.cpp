@@ -10,7 +10,8 @@ namespace drape {
 static constexpr std::size_t most_problems = 100;
 
 static Problem problem_at(const Place& place, std::string message) {
-  return {place.file ? *place.file : std::string(), place.line, place.column, std::move(message)};
+  const int column = place.line > 0 ? place.column : 0;
+  return {place.file ? *place.file : std::string(), place.line, column, std::move(message)};
 }
 
 static auto key_of(const Place& place) {

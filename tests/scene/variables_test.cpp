@@ -50,6 +50,11 @@ TEST(Variables, HideNoOtherProblemWhereTheyAreUnknown) {
   EXPECT_EQ(errors_of(smallest_scene + "time: {fps: \"${rate}\", step: long}\n"),
             "scene.yaml:3:13: error: no variable `rate` above this\n"
             "scene.yaml:3:30: error: time.step must be a time (a number, in s, ms, us, min), not `long`");
+  const std::string override = "-D time={fps: \"${rate}\", step: long, stepp: 1}: error: ";
+  EXPECT_EQ(errors_of(smallest_scene, {"time={fps: \"${rate}\", step: long, stepp: 1}"}),
+            override + "no variable `rate` above this\n" + override +
+                "unknown key `stepp` in time; did you mean `step`?\n" + override +
+                "time.step must be a time (a number, in s, ms, us, min), not `long`");
 }
 
 TEST(Variables, CannotGrowWithoutEnd) {
