@@ -34,19 +34,25 @@ void check_cloth(const Section& test, const SceneFact& fact) {
                                  path_of(test, "cloth"), fact_name(fact.quantity)));
 }
 
-// Whether the command line says which frames there are: fewer than a scene's facts are about, to be quick.
-bool are_frames_overridden(const Section& scene) {
+// What says which frames there are: time.frames, or what stands in place of a map of time. Null: nothing.
+const Node* frames_of_scene(const Section& scene) {
   const Node* time = find_value(scene, "time");
-  const MapEntry* frames = time != nullptr ? find_entry(*time, "frames") : nullptr;
-  return frames != nullptr && frames->value.place.line == 0;
+  if (time == nullptr || time->kind != Node::Kind::map) return time;
+  const MapEntry* frames = find_entry(*time, "frames");
+  return frames != nullptr ? &frames->value : nullptr;
 }
 
-// A fact about frames that no run makes would never be tested.
+// Whether the command line says which frames there are: fewer than a scene's facts are about, to be quick.
+bool is_overridden(const Node* frames) { return frames != nullptr && frames->place.line == 0; }
+
+// A fact about frames that no run makes would never be tested. Where the scene's frames are a mistake, nobody
+// knows which it makes.
 void check_frames(const Section& test, const SceneFact& fact, const Section& scene,
                   const TimeSettings& time) {
-  const Node* frames = find_value(test, "frames");
-  const bool are_made = fact.last_frame <= time.last_frame && fact.last_frame >= time.first_frame;
-  if (frames == nullptr || are_made || are_frames_overridden(scene)) return;
+  const Node *frames = find_value(test, "frames"), *all = frames_of_scene(scene);
+  const bool are_made = fact.first_frame >= time.first_frame && fact.last_frame <= time.last_frame;
+  if (frames == nullptr || are_made || is_overridden(all)) return;
+  if (all != nullptr) test.problems->follow(frames->place, all->place);
   test.problems->add(
       frames->place,
       fmt::format("{} is {}-{}, but the scene has frames {}-{} (time.frames): name frames that it has, or "

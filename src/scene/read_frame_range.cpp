@@ -24,7 +24,7 @@ void read_frame_range(const Section& section, std::string_view name, int& first,
   if (node == nullptr) return;
   const auto frames = node->kind == Node::Kind::scalar ? parse_frames(node->text) : std::nullopt;
   if (!frames)
-    return section.problems->add(
+    return section.problems->add_cause(
         node->place, fmt::format("{} must be `first-last` or a count, of frames from 1 to {}, not {}",
                                  path_of(section, name), frame_rule.greatest, describe(*node)));
   first = (*frames)[0];

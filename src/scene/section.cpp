@@ -26,11 +26,11 @@ static Section open_map(const Node& node, Section section) {
     section.node = &node;
     check_keys(section);
   } else if (node.kind == Node::Kind::null) {
-    section.problems->add(node.place,
-                          fmt::format("{} is empty: give it keys, or leave it out", title(section)));
+    section.problems->add_cause(node.place,
+                                fmt::format("{} is empty: give it keys, or leave it out", title(section)));
   } else {
-    section.problems->add(node.place,
-                          fmt::format("{} must be a map, not {}", title(section), describe(node)));
+    section.problems->add_cause(node.place,
+                                fmt::format("{} must be a map, not {}", title(section), describe(node)));
   }
   return section;
 }

@@ -211,6 +211,16 @@ TEST(Load, TakesFactsOfFramesThatTheCommandLineCutsOff) {
             std::string::npos);
 }
 
+TEST(Load, SaysNothingOfFactsWhereTheFramesOfTheSceneAreAMistake) {
+  const std::string test = "test: [{what: lowest, frames: 100-150, least: 0}]\n" + smallest_scene;
+  EXPECT_NE(errors_of(test).find("but the scene has frames 1-90"), std::string::npos);
+  EXPECT_EQ(
+      errors_of(test + "time: {frames: 0-200}\n"),
+      "scene.yaml:4:16: error: time.frames must be `first-last` or a count, of frames from 1 to 100000, "
+      "not `0-200`");
+  EXPECT_EQ(errors_of(test + "time: 200\n"), "scene.yaml:4:7: error: time must be a map, not `200`");
+}
+
 TEST(Load, NamesWhoWantsAMeshThatIsBroken) {
   const TemporaryFolder folder;
   folder.write("bad.obj", "v 0 0 zero\n");
