@@ -27,6 +27,7 @@ struct Node {
   std::string text;               // of a scalar
   std::vector<Node> items;        // of a sequence
   std::vector<MapEntry> entries;  // of a map, in the order of the text, no key twice
+  bool is_overridden = false;     // the command line says so, or a variable in it
 };
 
 struct MapEntry {

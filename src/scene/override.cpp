@@ -24,6 +24,7 @@ std::vector<std::string> split_path(std::string_view path) {
 void set_place(Node& node, Place& place) {
   ++place.column;
   node.place = place;
+  node.is_overridden = true;
   for (Node& item : node.items) set_place(item, place);
   for (MapEntry& entry : node.entries) {
     ++place.column;

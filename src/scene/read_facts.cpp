@@ -42,16 +42,13 @@ const Node* frames_of_scene(const Section& scene) {
   return frames != nullptr ? &frames->value : nullptr;
 }
 
-// Whether the command line says which frames there are: fewer than a scene's facts are about, to be quick.
-bool is_overridden(const Node* frames) { return frames != nullptr && frames->place.line == 0; }
-
-// A fact about frames that no run makes would never be tested. Where the scene's frames are a mistake, nobody
-// knows which it makes.
+// A fact about frames that no run makes would never be tested. The command line may say that there are fewer,
+// to be quick. Where the scene's frames are a mistake, nobody knows which it makes.
 void check_frames(const Section& test, const SceneFact& fact, const Section& scene,
                   const TimeSettings& time) {
   const Node *frames = find_value(test, "frames"), *all = frames_of_scene(scene);
   const bool are_made = fact.first_frame >= time.first_frame && fact.last_frame <= time.last_frame;
-  if (frames == nullptr || are_made || is_overridden(all)) return;
+  if (frames == nullptr || are_made || (all != nullptr && all->is_overridden)) return;
   if (all != nullptr) test.problems->follow(frames->place, all->place);
   test.problems->add(
       frames->place,

@@ -31,8 +31,10 @@ class Substitution {
     const Node* value = look_up(node, std::string_view(node.text).substr(2, node.text.size() - 3));
     if (value == nullptr || !take_budget(*value, node.place, depth)) return;
     const Place place = node.place;
+    const bool is_overridden = node.is_overridden || value->is_overridden;
     node = Node(*value);
     node.place = place;
+    node.is_overridden = is_overridden;
   }
 
   void replace_within(Node& node) {
@@ -50,6 +52,7 @@ class Substitution {
             node.place, fmt::format("variable {} is {}, which cannot stand inside of a text", quote(name),
                                     describe(*value)));
       result.append(rest.substr(0, begin)).append(value->text);
+      node.is_overridden |= value->is_overridden;
       rest.remove_prefix(end + 1);
       if (result.size() > longest_text)
         return problems_.add_cause(node.place,

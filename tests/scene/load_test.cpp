@@ -207,6 +207,12 @@ TEST(Load, TakesFactsOfFramesThatTheCommandLineCutsOff) {
       "time: {frames: 1-50}\n" + smallest_scene + "test: [{what: lowest, frames: 40-50, least: 0}]\n";
   EXPECT_EQ(load_text(text, {"time.frames=1-5"}).facts.at(0).first_frame, 40);
   EXPECT_EQ(load_text(text, {"time={frames: 1-5}"}).facts.size(), 1u);
+  const std::string by_variable =
+      "vars: {n: 1-50, last: 50}\n" + smallest_scene + "test: [{what: lowest, frames: 40-50, least: 0}]\n";
+  for (const char* time : {"time: {frames: \"${n}\"}\n", "time: {frames: \"1-${last}\"}\n"})
+    EXPECT_EQ(load_text(by_variable + time, {"vars.n=1-5", "vars.last=5"}).facts.size(), 1u) << time;
+  EXPECT_NE(errors_of(by_variable + "time: {frames: 1-5}\n", {"vars.n=1-5"}).find("has frames 1-5"),
+            std::string::npos);
   EXPECT_NE(errors_of(text, {"test.0.frames=51"}).find("-D test.0.frames=51: error: test[0].frames is 1-51"),
             std::string::npos);
 }
