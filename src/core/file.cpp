@@ -35,13 +35,24 @@ static bool write_all(int file, std::string_view content) {
   return true;
 }
 
+// The path, or the innermost folder that it would lie in, of which there is anything by that name.
+static fs::path innermost_name(fs::path path) {
+  std::error_code ignored;
+  while (!path.empty() && path != path.root_path() && !fs::exists(fs::symlink_status(path, ignored)))
+    path = path.parent_path();
+  return path;
+}
+
 void refuse_file_as_folder(const fs::path& folder) {
   std::error_code ignored;
-  fs::path path = folder;
-  while (!path.empty() && path != path.root_path() && !fs::exists(fs::status(path, ignored)))
-    path = path.parent_path();
-  if (!path.empty() && fs::exists(fs::status(path, ignored)) && !fs::is_directory(path, ignored))
+  const fs::path path = innermost_name(folder);
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::exists(status) && !fs::is_directory(status))
     throw FileError(path.string(), "is a file, not a folder, and nothing can be put into it: name a folder");
+  if (status.type() == fs::file_type::not_found && fs::is_symlink(fs::symlink_status(path, ignored)))
+    throw FileError(path.string(),
+                    "is a link to " + fs::read_symlink(path, ignored).string() +
+                        ", which is not there: make that folder, remove the link, or name another folder");
 }
 
 static void make_folder(const fs::path& folder) {

@@ -77,6 +77,19 @@ TEST(File, IsNoFolderToPutAnotherInto) {
   EXPECT_EQ(failure([&] { refuse_file_as_folder(folder / "b/c"); }), "no failure");
 }
 
+TEST(File, IsNotPutIntoALinkToNothing) {
+  const TemporaryFolder folder;
+  const fs::path link = folder / "link";
+  fs::create_symlink("none", link);
+  const std::string words =
+      link.string() +
+      ": is a link to none, which is not there: make that folder, remove the link, or name another folder";
+  EXPECT_EQ(failure([&] { write_file(link / "cache/a", "new"); }), words);
+  EXPECT_EQ(failure([&] { refuse_file_as_folder(link); }), words);
+  fs::create_directory(folder / "none");
+  EXPECT_EQ(failure([&] { refuse_file_as_folder(link / "cache"); }), "no failure");
+}
+
 // A limit on the size of files stands in for a full disk.
 class FileSizeLimit {
  public:
