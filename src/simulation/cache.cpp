@@ -266,7 +266,7 @@ void write_checkpoint(const fs::path& folder, std::uint64_t fingerprint, const S
   content.add_all(state.remembered_contacts);
   content.add(state.contacts);
   content.add_all(state.still_positions);
-  content.add_all(state.halfway_positions);
+  content.add_all(state.later_positions);
   content.add(state.still_since);
   write(checkpoint_path(folder), Kind::checkpoint, fingerprint, content.bytes());
 }
@@ -274,7 +274,7 @@ void write_checkpoint(const fs::path& folder, std::uint64_t fingerprint, const S
 static bool each_point_has_all(const State& state) {
   const std::size_t count = state.positions.size();
   return state.velocities.size() == count && state.still_positions.size() == count &&
-         state.halfway_positions.size() == count;
+         state.later_positions.size() == count;
 }
 
 std::optional<State> read_checkpoint(const fs::path& folder, std::uint64_t fingerprint) {
@@ -293,7 +293,7 @@ std::optional<State> read_checkpoint(const fs::path& folder, std::uint64_t finge
                      content.take_all(state.collider_times) && content.take_all(state.collider_poses) &&
                      content.take_all(state.grabs) && content.take_all(state.seam_lengths) &&
                      content.take_all(state.remembered_contacts) && content.take(state.contacts) &&
-                     content.take_all(state.still_positions) && content.take_all(state.halfway_positions) &&
+                     content.take_all(state.still_positions) && content.take_all(state.later_positions) &&
                      content.take(state.still_since) && content.at_end();
   const bool makes_sense = whole && frame >= 0 && frame <= std::numeric_limits<int>::max() &&
                            each_point_has_all(state) && state.contacts >= 0;

@@ -62,10 +62,11 @@ bool is_drawing_seam(const World& world, const Frame& frame) {
                      [&](const Seam& seam) { return is_within(frame, seam.from, seam.close); });
 }
 
-// In frames; three at least, or what swings in time with them would look still.
-int quarter_of_a_second(const World& world) {
+// Of half a second, in frames; three at least, or what swings in time with them would look still.
+int third_of_window(const World& world) {
+  constexpr double window = 0.5;  // s
   constexpr int least = 3;
-  return std::max(least, static_cast<int>(std::ceil(0.25 / world.input.frame_duration - same_time)));
+  return std::max(least, static_cast<int>(std::ceil(window / 3 / world.input.frame_duration - same_time)));
 }
 
 double largest_way(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
@@ -74,13 +75,12 @@ double largest_way(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
   return std::sqrt(largest);
 }
 
-// Whether the way of the last quarter of a second is longer than that of the one before, by more than chance:
+// Whether the way of the window's last third is longer than that of the one before, by more than chance:
 // a sheet that falls over starts as slowly as one that comes to rest ends.
 bool gathers_speed(const World& world, const State& state) {
   constexpr double chance = 0.01;  // of the way in which points lie still
-  const double last = largest_way(state.halfway_positions, state.positions);
-  return last > chance * world.still_way &&
-         last > largest_way(state.still_positions, state.halfway_positions);
+  const double last = largest_way(state.later_positions, state.positions);
+  return last > chance * world.still_way && last > largest_way(state.still_positions, state.later_positions);
 }
 
 // Whether a piece of cloth has neither a pin nor a contact that would keep it where it is.
@@ -94,15 +94,15 @@ bool is_afloat(const World& world, const State& state) {
 }
 
 void begin_anew(State& state) {
-  state.still_positions = state.halfway_positions = state.positions;
+  state.still_positions = state.later_positions = state.positions;
   state.still_since = state.frame;
 }
 
-// The first quarter counts for nothing but the way: what settles in it would hide what gathers speed.
-void pass_quarter(const World& world, int quarters, State& state) {
-  if (quarters == 3 && !gathers_speed(world, state) && !is_afloat(world, state)) return;
-  state.still_positions = std::exchange(state.halfway_positions, state.positions);
-  if (quarters == 3) state.still_since += quarter_of_a_second(world);
+// The first counts for nothing but the way: what settles in it would hide what gathers speed.
+void pass_third(const World& world, int thirds, State& state) {
+  if (thirds == 3 && !gathers_speed(world, state) && !is_afloat(world, state)) return;
+  state.still_positions = std::exchange(state.later_positions, state.positions);
+  if (thirds == 3) state.still_since += third_of_window(world);
 }
 
 }  // namespace
@@ -122,15 +122,15 @@ bool is_stirred(const World& world, const State& state) {
 }
 
 bool lies_still(const World& world, const State& state) {
-  return world.input.sleep && state.frame - state.still_since >= 3 * quarter_of_a_second(world);
+  return world.input.sleep && state.frame - state.still_since >= 3 * third_of_window(world);
 }
 
 void watch_stillness(const World& world, bool stirred, State& state) {
-  const int quarter = quarter_of_a_second(world), frames = state.frame - state.still_since;
+  const int third = third_of_window(world), frames = state.frame - state.still_since;
   if (stirred || largest_way(state.still_positions, state.positions) > world.still_way)
     begin_anew(state);
-  else if (frames % quarter == 0 && frames <= 3 * quarter)
-    pass_quarter(world, frames / quarter, state);
+  else if (frames % third == 0 && frames <= 3 * third)
+    pass_third(world, frames / third, state);
 }
 
 void stay(const World& world, State& state) {

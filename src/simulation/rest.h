@@ -16,10 +16,10 @@ double largest_still_way(const Sheet& sheet);
 // seam that is drawn in, gusts.
 bool is_stirred(const World& world, const State& state);
 
-// Whether cloth has lain still for three quarters of a second, and nine frames: at the end of none of them a
-// point was farther than that from where it was half a second before, and in the end none gathered speed. By
-// way and not by speed: points within a heap may tremble by less than can be seen. Never for cloth that
-// nothing holds, nor where the input does not let it sleep.
+// Whether cloth has lain still for half a second, and nine frames: at the end of none of them a point was
+// farther than that from where it was at first, and in the end none gathered speed. By way and not by speed:
+// points within a heap may tremble by less than can be seen. Never for cloth that nothing holds, nor where
+// the input does not let it sleep.
 bool lies_still(const World& world, const State& state);
 
 // Brings up to date since when cloth has lain still: to be called at the end of each frame that is advanced.

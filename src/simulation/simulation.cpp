@@ -92,7 +92,7 @@ std::uint64_t state_hash(const State& state) {
   hasher.add(state.remembered_contacts.data(), state.remembered_contacts.size() * sizeof(RememberedContact));
   hasher.add(&state.contacts, sizeof state.contacts);
   add_vectors(hasher, state.still_positions);
-  add_vectors(hasher, state.halfway_positions);
+  add_vectors(hasher, state.later_positions);
   hasher.add(&state.still_since, sizeof state.still_since);
   return hasher.digest();
 }

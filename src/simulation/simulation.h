@@ -24,8 +24,8 @@ struct State {
   std::vector<RememberedContact> remembered_contacts;  // what contacts keep of the last step
   int contacts = 0;                                    // of the last step
   int still_since = 0;                                 // frame: cloth has lain still since its end (rest.h)
-  std::vector<Vec3> still_positions;    // m: the places of its points then, or half a second ago
-  std::vector<Vec3> halfway_positions;  // and a quarter of a second after that
+  std::vector<Vec3> still_positions;  // m: the places of its points then, or a sixth of a second later
+  std::vector<Vec3> later_positions;  // and a sixth of a second after that
 };
 std::uint64_t state_hash(const State& state);
 

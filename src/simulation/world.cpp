@@ -163,7 +163,7 @@ State initial_state(const World& world) {
     state.collider_times.push_back(0);
     state.collider_poses.push_back(collider_pose(world.input.colliders[c], 0));
   }
-  state.still_positions = state.halfway_positions = state.positions;
+  state.still_positions = state.later_positions = state.positions;
   grab(world.pins, 0, state);
   start_seams(world.seams, 0, state.positions, state.seam_lengths);
   return state;

@@ -38,7 +38,7 @@ State a_state() {
     state.positions.emplace_back(i / 3.0, -i, 1e-300 * i);
     state.velocities.emplace_back(i, 0.1 * i, -0.0);
     state.still_positions.emplace_back(-i, 0.3 * i, 1e-300);
-    state.halfway_positions.emplace_back(i, -0.7 * i, 0.5);
+    state.later_positions.emplace_back(i, -0.7 * i, 0.5);
   }
   return state;
 }
@@ -204,7 +204,7 @@ TEST(Checkpoints, ComeBackBitForBit) {
   EXPECT_EQ(same->seam_lengths, state.seam_lengths);
   EXPECT_EQ(same->contacts, state.contacts);
   EXPECT_EQ(same->still_positions, state.still_positions);
-  EXPECT_EQ(same->halfway_positions, state.halfway_positions);
+  EXPECT_EQ(same->later_positions, state.later_positions);
   EXPECT_EQ(same->still_since, state.still_since);
   ASSERT_EQ(same->remembered_contacts.size(), 1u);
   EXPECT_EQ(std::memcmp(same->remembered_contacts.data(), state.remembered_contacts.data(),
@@ -250,7 +250,7 @@ void expect_refused(const State& state) {
 }
 
 TEST(Checkpoints, EachPointNeedsItsVelocityAndItsEarlierPlaces) {
-  for (auto State::*points : {&State::velocities, &State::still_positions, &State::halfway_positions}) {
+  for (auto State::*points : {&State::velocities, &State::still_positions, &State::later_positions}) {
     State state = a_state();
     (state.*points).pop_back();
     expect_refused(state);

@@ -73,7 +73,7 @@ TEST(Determinism, TheHashSeesEachPartOfTheState) {
   changed.still_positions.back().y() += 1e-15;
   EXPECT_NE(state_hash(changed), hash);
   changed = state;
-  changed.halfway_positions.back().y() += 1e-15;
+  changed.later_positions.back().y() += 1e-15;
   EXPECT_NE(state_hash(changed), hash);
   changed = state;
   ++changed.still_since;
