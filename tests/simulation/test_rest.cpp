@@ -38,6 +38,15 @@ ColliderInput ball_at(const Vec3& place) {
   return ball;
 }
 
+// It comes after two seconds.
+SimulationInput with_a_plough() {
+  SimulationInput input = sheet_on_the_ground();
+  ColliderInput plough = ball_at({-0.5, 0.1, 0});
+  plough.motion.translate[0] = {{2.0, 0.0}, {3.0, 1.0}};
+  input.colliders.push_back(plough);
+  return input;
+}
+
 double cpu_seconds(const FrameStatistics& statistics) {
   double sum = 0;
   for (const double seconds : statistics.profile.cpu_seconds) sum += seconds;
@@ -94,11 +103,7 @@ TEST(Rest, IsNoneInGusts) {
 }
 
 TEST(Rest, EndsWhenAColliderComes) {
-  SimulationInput input = sheet_on_the_ground();
-  ColliderInput plough = ball_at({-0.5, 0.1, 0});
-  plough.motion.translate[0] = {{2.0, 0.0}, {3.0, 1.0}};
-  input.colliders.push_back(plough);
-  Simulation simulation(input);
+  Simulation simulation(with_a_plough());
   advance(simulation, 59);
   EXPECT_TRUE(sleeps(simulation));
   EXPECT_FALSE(sleeps(simulation));  // from its key on, though it is not there yet
@@ -297,10 +302,7 @@ TEST(Rest, StillIsAFiftiethOfTheShortestClothsMeanEdgeAndHalfAMillimetreAtMost) 
 }
 
 TEST(Rest, ResumedAnywhereItGivesTheSameBits) {
-  SimulationInput input = sheet_on_the_ground();
-  ColliderInput plough = ball_at({-0.5, 0.1, 0});
-  plough.motion.translate[0] = {{2.0, 0.0}, {3.0, 1.0}};
-  input.colliders.push_back(plough);
+  const SimulationInput input = with_a_plough();
   Simulation whole(input);
   std::vector<State> states;
   for (int frame = 0; frame < 75; ++frame) {
