@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 
@@ -202,6 +203,17 @@ static void tell_lags(const Run& run, const Console& console) {
                      shape.frame, 1000 * shape.value));
 }
 
+// Who wonders why the rest of a run was so quick is told.
+static void tell_sleep(const Run& run, const Console& console) {
+  const auto& frames = run.manifest.frames;
+  const auto slept = std::count_if(frames.begin(), frames.end(), [](const auto& frame) {
+    return frame.second.statistics.profile.cpu_seconds == Profile().cpu_seconds;
+  });
+  if (slept > 0)
+    note(console, fmt::format("simulate  cloth lay still in {} of {} frames, which took no step", slept,
+                              frames.size()));
+}
+
 // What a refused start costs is not the frames of an earlier one.
 static Simulation start_anew(Run& run) {
   SimulationInput input = start_input(run.scene, run.folder.root);
@@ -218,6 +230,7 @@ static void simulate_from(std::optional<State> checkpoint, Run& run, const Conso
   }
   advance_to_last_frame(simulation, run, console);
   tell_lags(run, console);
+  tell_sleep(run, console);
 }
 
 void simulate(Run& run, const Options& options, const Console& console) {

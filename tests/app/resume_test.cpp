@@ -38,6 +38,22 @@ TEST_F(Resume, GivesTheBitsOfARunThatWasNeverStopped) {
   }
 }
 
+TEST_F(Resume, GoesOnWhereClothSleepsAndSaysThatItDoes) {
+  scene = folder.write("still.yaml", R"(version: 1
+time: {fps: 30, frames: 60}
+cloths:
+  sheet: {grid: {size: [0.2, 0.2], points: [5, 5]}, place: {at: [0, 0.01, 0]}}
+colliders:
+  floor: {plane: {y: 0}}
+)");
+  const Finished whole = simulate("whole", 60);
+  EXPECT_NE(whole.err.find("simulate  cloth lay still in "), std::string::npos) << whole.err;
+  EXPECT_NE(whole.err.find(" of 60 frames, which took no step"), std::string::npos) << whole.err;
+  ASSERT_EQ(simulate("parts", 50).exit_status, 0);
+  ASSERT_EQ(simulate("parts", 60).exit_status, 0);
+  EXPECT_EQ(content_of_folder(folder / "parts/cache"), content_of_folder(folder / "whole/cache"));
+}
+
 TEST_F(Resume, DoesNothingWhereAllIsDone) {
   simulate("out", 5);
   const std::string before = read_file(folder / "out/run.json");
