@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "contact/conservative_advancement.h"
+#include "contact/shared_features.h"
 #include "core/parallel.h"
 
 namespace drape {
@@ -82,15 +83,27 @@ Contact make_contact(const NarrowPhase& phase, const ContactPair& pair, const Cl
   return contact;
 }
 
-// Edge-edge pairs that are closest at an end are point-triangle pairs too, and left to these.
-bool counted_elsewhere(const ContactPair& pair, const ClosestPoints& closest) {
-  return pair.kind == PairKind::edge_edge && !closest.inside_edges && !pair.counts_edge_ends;
-}
-
-// A list's clock, and how far it goes on in this step: ways of its patches relative to each other, in m.
-struct Moment {
+// A look at a list: its clock, and how far that goes on in this step (ways of its patches relative to each
+// other, in m).
+struct Look {
+  const NarrowPhase& phase;
+  const Incidence& triangles_at;  // vertices
   double travelled, way_in_step;
 };
+
+// Where a pair makes its contact, and when: from 0 at the step's start to 1 at its end.
+struct Meeting {
+  ClosestPoints closest;
+  double time;
+};
+
+// Edge-edge pairs that are closest at an end are point-triangle pairs too, and left to these; of those, one
+// is enough.
+bool counted_elsewhere(const Look& look, const ContactPair& pair, const Meeting& meeting) {
+  if (pair.kind == PairKind::edge_edge) return !meeting.closest.inside_edges && !pair.counts_edge_ends;
+  return is_left_to_neighbour(look.phase.geometry, look.triangles_at, look.phase.motion, pair,
+                              meeting.closest, meeting.time);
+}
 
 // The place of a contact that is there from the start. On a rounded collider it is where the step leads:
 // there it moves smoothly, and the place of before would be a step late, by which edges that lie on a ball
@@ -106,46 +119,44 @@ ClosestPoints standing_place(const NarrowPhase& phase, const ContactPair& pair,
   return at_end.distance > least_share * pair.radius && is_same_side ? at_end : at_start;
 }
 
-// Where the pair makes its contact: now, if it is near enough, or on the way.
-std::optional<ClosestPoints> contact_place(const NarrowPhase& phase, const ContactPair& pair,
-                                           const FourPoints& start, const ClosestPoints& at_start) {
+// Now, if it is near enough, or on the way.
+std::optional<Meeting> find_meeting(const NarrowPhase& phase, const ContactPair& pair,
+                                    const FourPoints& start, const ClosestPoints& at_start) {
   if (at_start.distance <= pair.radius + (1 + arrival_share) * pair.thickness)
-    return standing_place(phase, pair, at_start);
+    return Meeting{standing_place(phase, pair, at_start), 0};
   const FourPoints end = gather(phase.motion.end, pair.vertices);
   const auto time =
       time_of_contact(pair.kind, start, end, pair.radius + pair.thickness, arrival_share * pair.thickness);
   if (!time) return std::nullopt;
-  return closest_points(pair.kind, at_time(start, end, *time));
+  return Meeting{closest_points(pair.kind, at_time(start, end, *time)), *time};
 }
 
 // Appends a contact if the pair comes within its thickness; brings its expiry up to date. A pair's own points
 // may move less than their patches, which is worth a look before others.
-void examine_pair(const NarrowPhase& phase, const Moment& moment, const ContactPair& pair, double& expiry,
-                  std::vector<Contact>& out) {
-  const FourPoints start = gather(phase.motion.start, pair.vertices);
+void examine_pair(const Look& look, const ContactPair& pair, double& expiry, std::vector<Contact>& out) {
+  const FourPoints start = gather(look.phase.motion.start, pair.vertices);
   std::optional<double> way;
   const auto stays_away = [&] {
-    if (moment.travelled >= expiry) return false;
-    if (!way) way = relative_motion(pair.kind, start, gather(phase.motion.end, pair.vertices));
-    return moment.travelled + *way < expiry;
+    if (look.travelled >= expiry) return false;
+    if (!way) way = relative_motion(pair.kind, start, gather(look.phase.motion.end, pair.vertices));
+    return look.travelled + *way < expiry;
   };
   if (stays_away()) return;
   const ClosestPoints at_start = closest_points(pair.kind, start);
-  expiry = expiry_of(pair.radius, pair.thickness, moment.travelled, at_start.distance);
+  expiry = expiry_of(pair.radius, pair.thickness, look.travelled, at_start.distance);
   if (stays_away()) return;
-  const auto closest = contact_place(phase, pair, start, at_start);
-  if (!closest || counted_elsewhere(pair, *closest) || !(closest->distance > 0)) return;
-  out.push_back(make_contact(phase, pair, *closest, at_start.distance));
+  const auto meeting = find_meeting(look.phase, pair, start, at_start);
+  if (!meeting || !(meeting->closest.distance > 0) || counted_elsewhere(look, pair, *meeting)) return;
+  out.push_back(make_contact(look.phase, pair, meeting->closest, at_start.distance));
 }
 
-void examine_pairs(const NarrowPhase& phase, const Moment& moment, PatchPair& patches,
-                   std::vector<Contact>& out) {
-  const double travelled = moment.travelled + moment.way_in_step;
+void examine_pairs(const Look& look, PatchPair& patches, std::vector<Contact>& out) {
+  const double travelled = look.travelled + look.way_in_step;
   if (travelled < patches.next_contact) return;
   const std::size_t found = out.size();
   for (std::size_t i = 0; i < patches.pairs.size(); ++i)
     if (travelled >= patches.pairs[i].expiry)
-      examine_pair(phase, moment, contact_pair(patches, i), patches.pairs[i].expiry, out);
+      examine_pair(look, contact_pair(patches, i), patches.pairs[i].expiry, out);
   for (std::size_t i = found; i < out.size(); ++i) out[i].place = {patches.second, patches.first};
   patches.contacts = out.size() - found;
   update_next(patches);
@@ -161,15 +172,15 @@ std::size_t contacts_of_last_look(const Proximity& proximity, std::size_t begin,
 
 void find_active_pairs(const NarrowPhase& phase, Proximity& proximity, std::vector<Contact>& contacts) {
   constexpr std::size_t block = 32;
-  parallel_collect(
-      proximity.pairs.size(), block, contacts,
-      [&](std::size_t begin, std::size_t end, std::vector<Contact>& out) {
-        out.reserve(contacts_of_last_look(proximity, begin, end));
-        for (std::size_t p = begin; p < end; ++p) {
-          PatchPair& patches = proximity.pairs[p];
-          examine_pairs(phase, {patches.travelled, relative_way(proximity, patches)}, patches, out);
-        }
-      });
+  parallel_collect(proximity.pairs.size(), block, contacts,
+                   [&](std::size_t begin, std::size_t end, std::vector<Contact>& out) {
+                     out.reserve(contacts_of_last_look(proximity, begin, end));
+                     for (std::size_t p = begin; p < end; ++p) {
+                       PatchPair& patches = proximity.pairs[p];
+                       const double way = relative_way(proximity, patches);
+                       examine_pairs({phase, proximity.triangles_at, patches.travelled, way}, patches, out);
+                     }
+                   });
 }
 
 static Contact make_plane_contact(const NarrowPhase& phase, const ContactPlane& plane,

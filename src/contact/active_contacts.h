@@ -45,9 +45,10 @@ struct NarrowPhase {
 };
 
 // The listed pairs that come within their thickness on the way, each at the first time that they do (section
-// 5 of the paper: collisions are detected on the future positions). Pairs that are known to be too far are
-// passed over. The lists must be up to date with this motion; the order of the contacts is that of the
-// patches and their primitives, whenever the lists were made. What `contacts` held is lost.
+// 5 of the paper: collisions are detected on the future positions), but for those that leave their contact to
+// another (shared_features.h). Pairs that are known to be too far are passed over. The lists must be up to
+// date with this motion; the order of the contacts is that of the patches and their primitives, whenever the
+// lists were made. What `contacts` held is lost.
 void find_active_pairs(const NarrowPhase& phase, Proximity& proximity, std::vector<Contact>& contacts);
 
 // Appends vertices within one and a half times their thickness of a plane at the step's end.

@@ -11,10 +11,21 @@ std::array<int, 2> pair_bodies(const ContactGeometry& geometry, PairKind kind,
   return {geometry.vertex_body[vertices[0]], geometry.vertex_body[vertices[first_side(kind)]]};
 }
 
+// A bound of how near the sides are to each other, from one of each's points and how far its others are.
+static double least_rest_distance(PairKind kind, const FourPoints& x) {
+  const int second = first_side(kind);
+  const double first_span = (x[second - 1] - x[0]).norm();
+  const double second_span = std::max((x[second + 1] - x[second]).norm(), (x[3] - x[second]).norm());
+  return (x[second] - x[0]).norm() - first_span - second_span;
+}
+
 static double thickness_within(const ContactGeometry& geometry, PairKind kind,
                                const std::array<int, 4>& vertices, double thickness) {
-  const double rest_distance = closest_points(kind, gather(geometry.rest_positions, vertices)).distance;
-  return std::min(thickness, 2 / std::numbers::pi * rest_distance);
+  constexpr double share = 2 / std::numbers::pi;
+  const FourPoints rest = gather(geometry.rest_positions, vertices);
+  if (share * least_rest_distance(kind, rest) > thickness)
+    return thickness;  // most that meet: a cheap answer
+  return std::min(thickness, share * closest_points(kind, rest).distance);
 }
 
 double pair_thickness(const ContactGeometry& geometry, PairKind kind, const std::array<int, 4>& vertices) {

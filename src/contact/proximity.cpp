@@ -164,6 +164,13 @@ double margin_for(const Proximity& proximity, const ProximityMargins& margins, c
   return std::max(wanted, 2 * relative_way_if_stopped(proximity, pair));
 }
 
+Incidence triangles_at_vertices(const ContactGeometry& geometry) {
+  std::vector<int> corners;
+  for (const Triangle& triangle : geometry.triangles)
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
+  return build_incidence(static_cast<int>(geometry.vertex_body.size()), corners);
+}
+
 }  // namespace
 
 double relative_way(const Proximity& proximity, const PatchPair& pair) {
@@ -177,6 +184,7 @@ double relative_way_if_stopped(const Proximity& proximity, const PatchPair& pair
 Proximity start_proximity(const ContactGeometry& geometry) {
   Proximity proximity;
   proximity.patches = cut_into_patches(geometry);
+  proximity.triangles_at = triangles_at_vertices(geometry);
   return proximity;
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "contact/patch_pair.h"
+#include "core/incidence.h"
 
 namespace drape {
 
@@ -18,6 +19,7 @@ struct StepMotion {
 // can't touch.
 struct Proximity {
   std::vector<Patch> patches;
+  Incidence triangles_at;         // vertices: slot 3 t + k is corner k of the geometry's triangle t
   std::vector<PatchPair> pairs;   // of all patches whose rooms come within reach; by second patch, then first
   std::vector<Bounds> rooms;      // how far each patch may move before its partners are sought again
   std::vector<Bounds> moved;      // the box of how far its vertices have moved since

@@ -232,7 +232,7 @@ void hold_again(const Response& response, std::vector<Vec3>& x) {
 }
 
 void resolve_contacts(Response& response, std::vector<Vec3>& x) {
-  constexpr double counts = 0.01;  // of the tolerance: many little moves add up
+  constexpr double counts = 0.05;  // of the tolerance: little moves add up
   if (response.pulls.empty()) return;
   std::vector<Vec4> places = all_padded(x);
   LastMoves last_moves(x.size(), 0);

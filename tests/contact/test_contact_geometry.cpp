@@ -85,6 +85,25 @@ TEST(ContactGeometry, NoPairIsThickerThanTheLargest) {
   }
 }
 
+// A bound tells it of most pairs: bit for bit what their closest points do.
+TEST(ContactGeometry, WithinAClothTheThicknessFollowsFromTheDistanceAtRest) {
+  constexpr double h = 0.01;
+  test::Random random(1);
+  Scene scene;
+  TriangleMesh mesh = make_grid({0.1, 0.1}, {7, 7});
+  for (Vec3& x : mesh.positions) x += random.vector(0.005);
+  scene.add_cloth(mesh, h);
+  int thinner = 0, full = 0;
+  for (const auto& [kind, vertices] : test::all_pairs(scene.geometry)) {
+    const double distance = closest_points(kind, gather(scene.geometry.rest_positions, vertices)).distance;
+    const double thickness = pair_thickness(scene.geometry, kind, vertices);
+    EXPECT_EQ(thickness, std::min(h, 2 / std::numbers::pi * distance));
+    ++(thickness < h ? thinner : full);
+  }
+  EXPECT_GT(thinner, 100);
+  EXPECT_GT(full, 100);
+}
+
 TEST(ContactGeometry, FrictionIsTheGeometricMean) {
   const Bodies bodies;
   const ContactGeometry& geometry = bodies.scene.geometry;
