@@ -61,10 +61,11 @@ std::array<int, 4> with_point(const Neighbourhood& around, const Triangle& trian
   return {around.point(), triangle[0], triangle[1], triangle[2]};
 }
 
-// Whether the pair's own triangle bends up from the neighbour like the other side of a valley: the point
-// might go through it within the step.
+// Whether the pair's own triangle bends up from the neighbour like the other side of a valley. A point that
+// the neighbour alone holds comes nearer to one that bends up less by a quarter of its way in the step at
+// most.
 bool bends_up_from(const Neighbourhood& around, const Triangle& neighbour) {
-  constexpr double margin = 0.25;  // with less, a quarter of the step's way is lost of the gap, which heals
+  constexpr double margin = 0.25;
   const auto [p, a, b, c] = with_point(around, neighbour);
   const Vec3 point = around.place(p);
   const Vec3 above =
