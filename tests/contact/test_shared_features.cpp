@@ -129,6 +129,21 @@ TEST(SharedFeatures, APointBesideAValleyHasAContactWithTheSideThatBendsUpToo) {
       << "nor over a ridge";
 }
 
+// Which way a triangle without area leads is only rounding: the two must not leave the point to each other.
+TEST(SharedFeatures, ANeighbourThatHasCollapsedTakesNoContactAway) {
+  Random random(6);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Vec3 a = random.vector(), b = a + random.vector(), c = a + random.vector();
+    const Vec3 collapsed = a + random.between(0.1, 0.9) * (b - a);
+    const Vec3 middle = 0.5 * (a + b), away = (a - b).cross(random.vector()).normalized();
+    TriangleMesh mesh;
+    mesh.positions = {a, b, c, collapsed};
+    mesh.triangles = {{0, 1, 2}, {1, 0, 3}};
+    if (trial % 2 == 1) std::swap(mesh.triangles[0], mesh.triangles[1]);
+    EXPECT_FALSE(contacts_of_probe(probed(mesh, middle + 0.01 * away)).empty()) << trial;
+  }
+}
+
 // What is near in the rest shape keeps less: the neighbour right under the point less than the one beside it.
 TEST(SharedFeatures, AContactIsNotLeftToOneThatKeepsLess) {
   const Vec3 place(0.052, 0.02, 0.01), at_rest(0.052, 0.04, 0.01);
